@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace interphase {
+
+using Vector = Eigen::Vector3d;
+using Scalars = std::vector<double>;
+using Vectors = std::vector<Vector>;
+
+/// Somebody else's vectors, one a column, not copied.
+using VectorsView = Eigen::Map<const Eigen::Matrix3Xd>;
+using ScalarsView = Eigen::Map<const Eigen::VectorXd>;
+
+/// An axis-aligned box [m]; empty until a point was added.
+using Box = Eigen::Matrix<double, 3, 2>;
+
+inline Box empty_box()
+{
+    Box box;
+    box.col(0).setConstant(1e300);
+    box.col(1).setConstant(-1e300);
+    return box;
+}
+
+inline void extend(Box& box, const Vector& point)
+{
+    box.col(0) = box.col(0).cwiseMin(point);
+    box.col(1) = box.col(1).cwiseMax(point);
+}
+
+inline bool contains(const Box& box, const Vector& point)
+{
+    return (point.array() >= box.col(0).array()).all() && (point.array() <= box.col(1).array()).all();
+}
+
+inline bool overlap(const Box& a, const Box& b)
+{
+    return (a.col(0).array() <= b.col(1).array()).all() && (b.col(0).array() <= a.col(1).array()).all();
+}
+
+}  // namespace interphase

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drag/wen_yu.hpp"
+
+#include <cmath>
+
+#include "drag/schiller_naumann.hpp"
+
+namespace interphase {
+
+double wen_yu(const DragState& state) {
+    return schiller_naumann_over_stokes(state.reynolds) * std::pow(state.voidage, -3.65);
+}
+
+}  // namespace interphase

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engines/liggghts/liggghts_solids.hpp"
+
+#include <climits>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <deque>
+#include <fstream>
+#include <iostream>
+
+#include "atom.h"
+#include "base/text.hpp"
+#include "base/user_error.hpp"
+#include "domain.h"
+#include "engines/liggghts/contact_duration.hpp"
+#include "engines/liggghts/fix_fluid.hpp"
+#include "engines/liggghts/fix_registration.hpp"
+#include "fix_gravity.h"
+#include "integrate.h"
+#include "lammps.h"
+#include "library.h"
+#include "timer.h"
+#include "universe.h"
+#include "update.h"
+
+namespace interphase {
+
+namespace {
+
+constexpr const char* log_name = "dem/log.liggghts";
+
+/// LIGGGHTS ends the process on an error, with its words in its log only. While one of these lives, an exit shows them.
+class ExitWatch {
+public:
+    explicit ExitWatch(bool speaks)
+    {
+        static const int registered = std::atexit(show_last_words);
+        static_cast<void>(registered);
+        watching_ = speaks;
+    }
+    ~ExitWatch() { watching_ = false; }
+
+private:
+    static void show_last_words()
+    {
+        if (!watching_) return;
+        std::ifstream log(log_name);
+        std::deque<std::string> last;
+        for (std::string line; std::getline(log, line);) {
+            if (line.empty()) continue;
+            last.push_back(line);
+            if (last.size() > 6) last.pop_front();
+        }
+        std::fprintf(stderr, "\ninterphase: LIGGGHTS stopped. The end of %s:\n", log_name);
+        for (const auto& line : last) std::fprintf(stderr, "  | %s\n", line.c_str());
+        std::fprintf(stderr, "  remedy: the line before ERROR is the command of the script that it refers to\n");
+    }
+
+    static bool watching_;
+};
+
+bool ExitWatch::watching_ = false;
+
+LAMMPS_NS::Fix* create_fix_fluid(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
+{
+    return new FixFluid(lmp, narg, arg);
+}
+
+}  // namespace
+
+LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& settings) : comm_(comm), settings_(settings)
+{
+    std::vector<std::string> words{"liggghts", "-screen", "/dev/null", "-log", log_name, "-echo", "log"};
+    const auto pass = [&words](const std::string& name, const std::string& value) {
+        words.insert(words.end(), {"-var", name, value});
+    };
+    char weight[32];
+    std::snprintf(weight, sizeof weight, "%.17g", settings.weight);
+    pass("weight", weight);
+    for (const auto& [name, value] : settings.variables) pass(name, value);
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+
+    const ExitWatch watch(comm_.is_master());
+    void* handle = nullptr;
+    lammps_open(static_cast<int>(argv.size()), argv.data(), comm_.handle(), &handle);
+    lmp_ = static_cast<LAMMPS_NS::LAMMPS*>(handle);
+    lammps_file(lmp_, settings.script.c_str());
+
+    refuse_unusable_scene();
+    contact_duration_ = shortest_contact(*lmp_);
+}
+
+LiggghtsSolids::~LiggghtsSolids() { lammps_close(lmp_); }
+
+void LiggghtsSolids::refuse_unusable_scene() const
+{
+    const std::string& script = settings_.script;
+    if (!lmp_->domain->box_exist)
+        throw UserError("the script defines no simulation box", script, "add create_box or read_data");
+    if (!lmp_->atom->sphere_flag)
+        throw UserError("the particles are not spheres with their own radius and mass", script,
+                        "use `atom_style granular` (or sphere)");
+    if (std::string(lmp_->update->unit_style) != "si")
+        throw UserError(std::string("the script computes in units `") + lmp_->update->unit_style + "`", script,
+                        "add `units si`: the gas is in SI units");
+    if (settings_.gas != GasModel::none && lmp_->modify->find_fix_style_strict("freeze", 0))
+        throw UserError("fix freeze clears forces before the fluid force is added, so the particles would drift", script,
+                        "hold particles by leaving them out of the integrator's group instead");
+}
+
+double LiggghtsSolids::largest_diameter() const
+{
+    double radius = 0;
+    for (int i = 0; i < lmp_->atom->nlocal; ++i) radius = std::max(radius, lmp_->atom->radius[i]);
+    return 2 * comm_.max(radius);
+}
+
+long LiggghtsSolids::total_count() const { return comm_.sum(static_cast<long>(lmp_->atom->nlocal)); }
+
+void LiggghtsSolids::start(double solid_step, long steps, bool with_gas)
+{
+    const ExitWatch watch(comm_.is_master());
+    char command[64];
+    std::snprintf(command, sizeof command, "timestep %.17g", solid_step);
+    lammps_command(lmp_, command);
+
+    if (with_gas) {
+        register_fix_style(*lmp_->modify, FixFluid::style_name, create_fix_fluid);
+        lammps_command(lmp_, (std::string("fix interphase all ") + FixFluid::style_name).c_str());
+        fluid_ = dynamic_cast<FixFluid*>(lmp_->modify->find_fix_id("interphase"));
+    }
+    for (const char* style : {"massflow/mesh", "remove", "evaporate"})
+        may_remove_ = may_remove_ || lmp_->modify->find_fix_style(style, 0);
+
+    // what `run` does before its loop, so that the loop can be continued at any length without setting up again
+    LAMMPS_NS::Update& update = *lmp_->update;
+    update.whichflag = 1;
+    update.nsteps = static_cast<int>(std::min<long>(steps, INT_MAX));
+    update.firststep = update.beginstep = update.ntimestep;
+    update.laststep = update.endstep = update.ntimestep + steps;
+    lmp_->init();
+    update.integrate->setup();
+    lmp_->timer->init();
+
+    if (auto* fix = dynamic_cast<LAMMPS_NS::FixGravity*>(lmp_->modify->find_fix_style("gravity", 0)))
+        fix->get_gravity(gravity_.data());
+}
+
+ParticleView LiggghtsSolids::particles()
+{
+    const LAMMPS_NS::Atom& atom = *lmp_->atom;
+    const Eigen::Index n = atom.nlocal;
+    const auto vectors = [n](double** array) { return VectorsView(n > 0 ? array[0] : nullptr, 3, n); };
+    return {vectors(atom.x),
+            vectors(atom.v),
+            vectors(atom.omega),
+            vectors(atom.f),
+            ScalarsView(atom.radius, n),
+            ScalarsView(atom.rmass, n),
+            atom.tag,
+            fluid_ ? fluid_->coupling() : nullptr};
+}
+
+void LiggghtsSolids::advance(int substeps)
+{
+    const ExitWatch watch(comm_.is_master());
+    lmp_->update->integrate->run(substeps);
+}
+
+std::string LiggghtsSolids::version() const { return lmp_->universe->version; }
+
+}  // namespace interphase

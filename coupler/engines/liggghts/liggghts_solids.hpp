@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/communicator.hpp"
+#include "settings/settings.hpp"
+#include "step/solids.hpp"
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace interphase {
+
+class FixFluid;
+
+/// LIGGGHTS, unmodified, as the engine of the particles.
+class LiggghtsSolids : public Solids {
+public:
+    /// Runs the case's script (in the current folder). An error in it ends the program, with LIGGGHTS's own words and the
+    /// line it choked on. Collective.
+    LiggghtsSolids(const Communicator& comm, const Settings& settings);
+    ~LiggghtsSolids() override;
+
+    /// The shortest collision time t_c [s], where the contact model tells.
+    std::optional<double> contact_duration() const { return contact_duration_; }
+
+    double largest_diameter() const;  ///< of the tracked spheres [m]. Collective.
+    long total_count() const;         ///< Collective.
+
+    /// Sets the step [s] and readies the run of about `steps` steps, with or without a gas. Collective.
+    void start(double solid_step, long steps, bool with_gas);
+
+    ParticleView particles() override;
+    Vector gravity() const override { return gravity_; }
+    bool may_remove_particles() const override { return may_remove_; }
+    void advance(int substeps) override;
+
+    std::string version() const;
+
+private:
+    void refuse_unusable_scene() const;
+
+    Communicator comm_;
+    const Settings& settings_;
+    LAMMPS_NS::LAMMPS* lmp_ = nullptr;
+    FixFluid* fluid_ = nullptr;
+    std::optional<double> contact_duration_;
+    Vector gravity_ = Vector::Zero();
+    bool may_remove_ = false;
+};
+
+}  // namespace interphase

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engines/openfoam/foam_case.hpp"
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "Time.H"
+#include "argList.H"
+#include "error.H"
+#include "base/user_error.hpp"
+#include "engines/openfoam/frozen_gas.hpp"
+#include "engines/openfoam/pimple_gas.hpp"
+#include "engines/openfoam/read_settings.hpp"
+#include "foamVersion.H"
+
+namespace interphase {
+
+namespace {
+
+/// What OpenFOAM prints goes to a file: the terminal is for the run's progress.
+class OutputToLog {
+public:
+    OutputToLog() : console_(std::cout.rdbuf(early_.rdbuf())) {}
+    ~OutputToLog() { std::cout.rdbuf(console_); }
+
+    void open(const std::string& path)
+    {
+        file_.open(path);
+        file_ << early_.str();
+        std::cout.rdbuf(file_.rdbuf());
+    }
+
+    void flush() { file_.flush(); }
+
+private:
+    std::stringstream early_;
+    std::ofstream file_;
+    std::streambuf* console_;
+};
+
+std::filesystem::path case_folder(int argc, char** argv)
+{
+    for (int i = 1; i + 1 < argc; ++i)
+        if (std::string(argv[i]) == "-case") return argv[i + 1];
+    return ".";
+}
+
+void refuse_folder_without_case(const std::filesystem::path& folder)
+{
+    for (const char* needed : {"system/controlDict", "system/couplingDict"})
+        if (!std::filesystem::is_regular_file(folder / needed))
+            throw UserError("`" + folder.string() + "` is not a case: it has no " + needed,
+                            "the option -case (the current folder where it is not given)",
+                            "name a case folder; cases/ holds examples, tools/run prepares one");
+}
+
+void refuse_wrong_decomposition(const std::filesystem::path& folder)
+{
+    int ranks = 1;
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    if (ranks == 1) return;
+    int parts = 0;
+    while (std::filesystem::is_directory(folder / ("processor" + std::to_string(parts)))) ++parts;
+    if (parts != ranks && parts > 0)
+        throw UserError("the case is decomposed into " + std::to_string(parts) + " parts, and the run has " +
+                            std::to_string(ranks) + " ranks",
+                        folder.string(),
+                        "run `decomposePar -force` with numberOfSubdomains " + std::to_string(ranks) +
+                            " in system/decomposeParDict, or start " + std::to_string(parts) + " ranks");
+}
+
+}  // namespace
+
+struct FoamCase::Parts {
+    OutputToLog output;
+    std::unique_ptr<Foam::argList> args;
+    std::unique_ptr<Foam::Time> time;
+    std::unique_ptr<Foam::fvMesh> mesh;
+};
+
+void with_foam_errors(const std::function<void()>& body)
+{
+    try {
+        body();
+    } catch (const Foam::IOerror& error) {
+        throw UserError(error.message(), std::string(error.ioFileName()) + ", line " +
+                                             std::to_string(error.ioStartLineNumber()),
+                        "see the message; OpenFOAM's own output is in log.openfoam");
+    } catch (const Foam::error& error) {
+        throw UserError(error.message(), "OpenFOAM, " + std::string(error.functionName()),
+                        "see the message; OpenFOAM's own output is in log.openfoam");
+    }
+}
+
+FoamCase::FoamCase(int& argc, char**& argv) : parts_(std::make_unique<Parts>())
+{
+    int ranks = 1;
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    const auto folder = case_folder(argc, argv);
+    refuse_folder_without_case(folder);
+    refuse_wrong_decomposition(folder);
+    const bool parallel = std::any_of(argv + 1, argv + argc, [](const char* a) { return std::string(a) == "-parallel"; });
+    if (ranks > 1 && !parallel)
+        throw UserError("the run has " + std::to_string(ranks) + " ranks, and no option -parallel", "the command line",
+                        "add -parallel");
+
+    Foam::argList::noBanner();
+    Foam::FatalError.throwExceptions();
+    Foam::FatalIOError.throwExceptions();
+    parts_->args = std::make_unique<Foam::argList>(argc, argv);
+    std::filesystem::current_path(std::string(parts_->args->globalPath()));
+    if (Foam::UPstream::master()) parts_->output.open("log.openfoam");
+    with_foam_errors([this] { parts_->time = std::make_unique<Foam::Time>(Foam::Time::controlDictName, *parts_->args); });
+}
+
+FoamCase::~FoamCase() { parts_->output.flush(); }
+
+Settings FoamCase::read_settings() const
+{
+    Settings settings;
+    with_foam_errors([&] { settings = read_coupling_dict(parts_->args->globalPath()); });
+    return settings;
+}
+
+std::unique_ptr<FoamGas> FoamCase::make_gas(const Settings& settings)
+{
+    std::unique_ptr<FoamGas> gas;
+    with_foam_errors([&] {
+        parts_->mesh = std::make_unique<Foam::fvMesh>(Foam::IOobject(
+            Foam::fvMesh::defaultRegion, parts_->time->timeName(), *parts_->time, Foam::IOobject::MUST_READ));
+        if (settings.gas == GasModel::pimple)
+            gas = std::make_unique<PimpleGas>(*parts_->mesh);
+        else
+            gas = std::make_unique<FrozenGas>(*parts_->mesh);
+    });
+    return gas;
+}
+
+std::string FoamCase::name() const { return parts_->args->globalPath().name(); }
+std::string FoamCase::version() const { return std::to_string(OPENFOAM); }
+
+double FoamCase::time() const { return parts_->time->value(); }
+double FoamCase::end_time() const { return parts_->time->endTime().value(); }
+double FoamCase::gas_step() const { return parts_->time->controlDict().get<Foam::scalar>("deltaT"); }
+
+bool FoamCase::adjusts_gas_step() const
+{
+    return parts_->time->controlDict().getOrDefault<Foam::Switch>("adjustTimeStep", false);
+}
+
+double FoamCase::largest_courant_number() const
+{
+    return parts_->time->controlDict().getOrDefault<Foam::scalar>("maxCo", 1);
+}
+
+double FoamCase::largest_gas_step() const
+{
+    return parts_->time->controlDict().getOrDefault<Foam::scalar>("maxDeltaT", Foam::GREAT);
+}
+
+bool FoamCase::running()
+{
+    bool more = false;
+    with_foam_errors([&] { more = parts_->time->run(); });
+    return more;
+}
+
+void FoamCase::advance_time(double step)
+{
+    parts_->time->setDeltaT(step, false);
+    with_foam_errors([&] { ++(*parts_->time); });
+}
+
+bool FoamCase::write_due() const { return parts_->time->writeTime(); }
+
+void FoamCase::write()
+{
+    with_foam_errors([&] { parts_->time->writeNow(); });
+    parts_->output.flush();
+}
+
+}  // namespace interphase

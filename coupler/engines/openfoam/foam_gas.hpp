@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "step/gas.hpp"
+
+namespace interphase {
+
+/// A gas on an OpenFOAM mesh, whichever model solves it. (OpenFOAM's headers stay out of this one.)
+class FoamGas : public Gas {
+public:
+    /// Largest Courant number of the last step, of the interstitial velocity. Collective.
+    virtual double courant_number() const = 0;
+
+    /// The pressure [Pa] of the cell that holds `point`. Throws a UserError where no cell does. Collective.
+    virtual double pressure_at(const Vector& point) const = 0;
+
+    virtual double total_volume() const = 0;  ///< of the mesh [m3]. Collective.
+    virtual Box bounds() const = 0;           ///< of the whole mesh [m]
+
+    virtual Vector gravity() const = 0;  ///< constant/g [m/s2]
+};
+
+}  // namespace interphase

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engines/openfoam/gas_fields.hpp"
+
+#include <cmath>
+
+#include "IOdictionary.H"
+#include "base/text.hpp"
+#include "base/user_error.hpp"
+#include "fixedValueFvPatchFields.H"
+#include "fvcGrad.H"
+#include "zeroGradientFvPatchFields.H"
+
+namespace interphase {
+
+using namespace Foam;
+
+namespace {
+
+/// Where the velocity is given, the inflow carries no particles and the velocity is superficial: voidage 1.
+wordList voidage_patch_types(const volVectorField& U)
+{
+    wordList types(U.boundaryField().size(), zeroGradientFvPatchScalarField::typeName);
+    forAll(types, patch)
+    {
+        const auto& field = U.boundaryField()[patch];
+        if (field.patch().constraintType(field.patch().type()))
+            types[patch] = field.patch().type();
+        else if (field.fixesValue() && field.patch().type() != "wall")
+            types[patch] = fixedValueFvPatchScalarField::typeName;
+    }
+    return types;
+}
+
+IOobject in_time(const fvMesh& mesh, const char* name, IOobject::readOption read)
+{
+    return IOobject(name, mesh.time().timeName(), mesh, read, IOobject::AUTO_WRITE);
+}
+
+dictionary transport_properties(const fvMesh& mesh)
+{
+    return IOdictionary(IOobject("transportProperties", mesh.time().constant(), mesh, IOobject::MUST_READ,
+                                 IOobject::NO_WRITE, false));
+}
+
+}  // namespace
+
+double positive_property(const dictionary& dictionary, const char* name)
+{
+    const double value = dictionary.get<dimensionedScalar>(name).value();
+    if (!(value > 0))
+        throw UserError(std::string(name) + " = " + text(value) + " is not positive",
+                        std::string(dictionary.name()) + ", line " +
+                            std::to_string(dictionary.findEntry(name)->startLineNumber()),
+                        "give the gas's density rho in kg/m3 and dynamic viscosity mu in Pa s");
+    return value;
+}
+
+GasFields::GasFields(fvMesh& mesh)
+    : mesh_(mesh)
+    , part_(mesh)
+    , g_(IOobject("g", mesh.time().constant(), mesh, IOobject::MUST_READ, IOobject::NO_WRITE))
+    , rho_("rho", dimDensity, positive_property(transport_properties(mesh), "rho"))
+    , mu_("mu", dimPressure * dimTime, positive_property(transport_properties(mesh), "mu"))
+    , U_(in_time(mesh, "U", IOobject::MUST_READ), mesh)
+    , p_rgh_(in_time(mesh, "p_rgh", IOobject::MUST_READ), mesh)
+    , voidage_(in_time(mesh, "voidage", IOobject::NO_READ), mesh, dimensionedScalar("one", dimless, 1),
+               voidage_patch_types(U_))
+    , p_(in_time(mesh, "p", IOobject::NO_READ), p_rgh_ + rho_ * (g_ & mesh.C()))
+{
+    if (p_rgh_.dimensions() != dimPressure)
+        throw UserError("p_rgh has other dimensions than a pressure", std::string(p_rgh_.objectPath()),
+                        "give it in Pa: dimensions [1 -1 -2 0 0 0 0]");
+}
+
+void GasFields::set_voidage(const Scalars& voidage)
+{
+    forAll(voidage_, c) voidage_[c] = voidage[static_cast<std::size_t>(c)];
+    voidage_.correctBoundaryConditions();
+    if (first_voidage_) {  // no rate of change before there were two of them
+        voidage_.oldTime() = voidage_;
+        first_voidage_ = false;
+    }
+}
+
+Scalars GasFields::velocity() const
+{
+    Scalars flat(3 * static_cast<std::size_t>(U_.size()));
+    forAll(U_, c) for (direction axis = 0; axis < 3; ++axis) flat[3 * static_cast<std::size_t>(c) + axis] = U_[c][axis];
+    return flat;
+}
+
+Scalars GasFields::pressure_gradient() const
+{
+    const tmp<volVectorField> gradient = fvc::grad(p_rgh_);
+    const vector hydrostatic = rho_.value() * g_.value();
+    Scalars flat(3 * static_cast<std::size_t>(U_.size()));
+    forAll(U_, c) for (direction axis = 0; axis < 3; ++axis)
+        flat[3 * static_cast<std::size_t>(c) + axis] = gradient()[c][axis] + hydrostatic[axis];
+    return flat;
+}
+
+std::optional<std::string> GasFields::trouble() const
+{
+    forAll(U_, c)
+    {
+        if (std::isfinite(magSqr(U_[c])) && std::isfinite(p_rgh_[c])) continue;
+        return "the gas field " + std::string(std::isfinite(p_rgh_[c]) ? "U" : "p_rgh") + " is not finite in cell " +
+               std::to_string(c) + " of rank " + std::to_string(UPstream::myProcNo()) + " at t = " +
+               text(mesh_.time().value()) + " s\n  where:  at " + text(part_.view().centre[static_cast<std::size_t>(c)]) +
+               "\n  remedy: reduce deltaT (or maxCo) in system/controlDict; look at the last written fields";
+    }
+    return std::nullopt;
+}
+
+double GasFields::pressure_at(const Vector& point) const
+{
+    const CellAddress address = part_.search(point);
+    double sums[2] = {address.known() ? p_[address.cell] : 0.0, address.known() ? 1.0 : 0.0};
+    reduce(sums[0], sumOp<scalar>());
+    reduce(sums[1], sumOp<scalar>());
+    if (sums[1] == 0)
+        throw UserError("the point " + text(point) + " is in no cell of the mesh", "records/pressureTaps in system/couplingDict",
+                        "give points inside the mesh");
+    return sums[0] / sums[1];
+}
+
+double GasFields::total_volume() const { return gSum(mesh_.V()); }
+
+Box GasFields::bounds() const
+{
+    const boundBox& all = mesh_.bounds();
+    Box box;
+    box.col(0) = Vector(all.min().x(), all.min().y(), all.min().z());
+    box.col(1) = Vector(all.max().x(), all.max().y(), all.max().z());
+    return box;
+}
+
+Vector GasFields::gravity() const { return {g_.value().x(), g_.value().y(), g_.value().z()}; }
+
+void GasFields::update_pressure() { p_ == p_rgh_ + rho_ * (g_ & mesh_.C()); }
+
+}  // namespace interphase

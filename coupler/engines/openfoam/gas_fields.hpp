@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engines/openfoam/foam_gas.hpp"
+#include "engines/openfoam/mesh_part.hpp"
+#include "fvMesh.H"
+#include "uniformDimensionedFields.H"
+#include "volFields.H"
+
+namespace interphase {
+
+/// Mesh and fields that every gas model has: U [m/s], p_rgh and p [Pa], voidage, and the gas's properties from
+/// constant/transportProperties (rho, mu) and constant/g.
+class GasFields : public FoamGas {
+public:
+    /// `mesh` outlives this.
+    explicit GasFields(Foam::fvMesh& mesh);
+
+    const MeshView& mesh() const override { return part_.view(); }
+    const CellLocator& locator() const override { return part_; }
+    double density() const override { return rho_.value(); }
+    double viscosity() const override { return mu_.value(); }
+    void set_voidage(const Scalars& voidage) override;
+    Scalars velocity() const override;
+    Scalars pressure_gradient() const override;
+    std::optional<std::string> trouble() const override;
+    double pressure_at(const Vector& point) const override;
+    double total_volume() const override;
+    Box bounds() const override;
+    Vector gravity() const override;
+
+protected:
+    /// p from p_rgh.
+    void update_pressure();
+
+    Foam::fvMesh& mesh_;
+    MeshPart part_;
+    Foam::uniformDimensionedVectorField g_;
+    Foam::dimensionedScalar rho_;
+    Foam::dimensionedScalar mu_;
+    Foam::volVectorField U_;
+    Foam::volScalarField p_rgh_;
+    Foam::volScalarField voidage_;
+    Foam::volScalarField p_;
+
+private:
+    bool first_voidage_ = true;
+};
+
+/// A UserError for a property that is not positive; `dictionary` names the file.
+double positive_property(const Foam::dictionary& dictionary, const char* name);
+
+}  // namespace interphase

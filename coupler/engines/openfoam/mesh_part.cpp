@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engines/openfoam/mesh_part.hpp"
+
+#include "globalMeshData.H"
+#include "processorPolyPatch.H"
+#include "syncTools.H"
+
+namespace interphase {
+
+namespace {
+
+/// A particle moves by a cell or so between searches; a longer walk is a far jump, which the octree finds faster.
+constexpr int longest_walk = 20;
+
+Vector to_eigen(const Foam::point& p) { return {p.x(), p.y(), p.z()}; }
+
+}  // namespace
+
+MeshPart::MeshPart(const Foam::fvMesh& mesh) : mesh_(mesh)
+{
+    measure_cells();
+    collect_sides();
+    mesh_.cellTree();  // built by all ranks together, before a search by one of them asks for it
+}
+
+void MeshPart::measure_cells()
+{
+    const auto& points_of_cells = mesh_.cellPoints();
+    forAll(mesh_.cells(), c)
+    {
+        Box box = empty_box();
+        for (const Foam::label p : points_of_cells[c]) extend(box, to_eigen(mesh_.points()[p]));
+        view_.centre.push_back(to_eigen(mesh_.cellCentres()[c]));
+        view_.extent.push_back(box.col(1) - box.col(0));
+        view_.volume.push_back(mesh_.cellVolumes()[c]);
+        extend(bounds_, box.col(0));
+        extend(bounds_, box.col(1));
+    }
+}
+
+void MeshPart::collect_sides()
+{
+    const int me = Foam::UPstream::myProcNo();
+    const Foam::label inner = mesh_.nInternalFaces();
+
+    Foam::labelList cell_beyond(mesh_.nFaces() - inner, -1);
+    forAll(cell_beyond, i) cell_beyond[i] = mesh_.faceOwner()[inner + i];
+    Foam::syncTools::swapBoundaryFaceList(mesh_, cell_beyond);
+    const auto address_beyond = [&](Foam::label face) -> CellAddress {
+        const Foam::label patch = mesh_.boundaryMesh().whichPatch(face);
+        const auto* processor = Foam::isA<Foam::processorPolyPatch>(mesh_.boundaryMesh()[patch])
+                                    ? &Foam::refCast<const Foam::processorPolyPatch>(mesh_.boundaryMesh()[patch])
+                                    : nullptr;
+        return processor ? CellAddress{processor->neighbProcNo(), cell_beyond[face - inner]} : CellAddress{};
+    };
+
+    first_side_.assign(1, 0);
+    forAll(mesh_.cells(), c)
+    {
+        for (const Foam::label face : mesh_.cells()[c]) {
+            const bool owned = mesh_.faceOwner()[face] == c;
+            const Vector normal = to_eigen(mesh_.faceAreas()[face]).normalized();
+            CellAddress beyond;
+            if (face < inner)
+                beyond = {me, owned ? mesh_.faceNeighbour()[face] : mesh_.faceOwner()[face]};
+            else
+                beyond = address_beyond(face);
+            sides_.push_back({to_eigen(mesh_.faceCentres()[face]), owned ? normal : Vector(-normal), beyond});
+        }
+        first_side_.push_back(sides_.size());
+    }
+}
+
+CellAddress MeshPart::walk(const Vector& point, int start) const
+{
+    const int me = Foam::UPstream::myProcNo();
+    CellAddress at{me, start};
+    for (int step = 0; step < longest_walk; ++step) {
+        const auto cell = static_cast<std::size_t>(at.cell);
+        double farthest = 0;
+        const Side* exit = nullptr;
+        bool outside = false;
+        for (std::size_t s = first_side_[cell]; s < first_side_[cell + 1]; ++s) {
+            const double distance = (point - sides_[s].centre).dot(sides_[s].outward);
+            if (distance <= 0) continue;
+            outside = true;
+            if (distance > farthest && sides_[s].beyond.known()) {
+                farthest = distance;
+                exit = &sides_[s];
+            }
+        }
+        if (!outside) return at;
+        if (!exit) return {};  // only boundary faces are in the way
+        if (exit->beyond.rank != me) return exit->beyond;
+        at = exit->beyond;
+    }
+    return {};
+}
+
+CellAddress MeshPart::search(const Vector& point) const
+{
+    if (!contains(bounds_, point)) return {};
+    const Foam::label cell = mesh_.findCell(Foam::point(point.x(), point.y(), point.z()), Foam::polyMesh::FACE_PLANES);
+    return cell < 0 ? CellAddress{} : CellAddress{Foam::UPstream::myProcNo(), cell};
+}
+
+}  // namespace interphase

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "exchange/cell_locator.hpp"
+#include "fvMesh.H"
+#include "mapping/mesh_view.hpp"
+
+namespace interphase {
+
+/// This rank's part of a static OpenFOAM mesh, laid out for the coupler.
+class MeshPart : public CellLocator {
+public:
+    explicit MeshPart(const Foam::fvMesh& mesh);
+
+    const MeshView& view() const { return view_; }
+
+    CellAddress walk(const Vector& point, int start) const override;
+    CellAddress search(const Vector& point) const override;
+    Box bounds() const override { return bounds_; }
+
+private:
+    /// A face as seen from one of its cells.
+    struct Side {
+        Vector centre;
+        Vector outward;       ///< unit normal
+        CellAddress beyond;   ///< unknown at a boundary of the mesh
+    };
+
+    void measure_cells();
+    void collect_sides();
+
+    const Foam::fvMesh& mesh_;
+    MeshView view_;
+    Box bounds_ = empty_box();
+    std::vector<std::size_t> first_side_;
+    std::vector<Side> sides_;
+};
+
+}  // namespace interphase

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "base/communicator.hpp"
+#include "exchange/sparse_exchange.hpp"
+#include "mapping/mesh_view.hpp"
+
+namespace interphase {
+
+/// This rank's gas cells, the cells of other ranks within their reach (the halo), and who is near whom.
+///
+/// A cell's reach is a box about its centre, of half-widths `reach` = max(extent, least reach) per axis. A neighbour
+/// of a cell is any cell whose reach touches it, the cell itself first. Cells are numbered locally: own ones first, as
+/// in the MeshView, then the halo. Found from centres and extents alone, so it works on any mesh and partition.
+class CellNeighbourhood {
+public:
+    /// Collective; the mesh must not change afterwards.
+    CellNeighbourhood(const Communicator& comm, const MeshView& own, double least_reach);
+
+    std::size_t own_count() const { return own_count_; }
+    std::size_t local_count() const { return volume_.size(); }
+
+    const Vector& centre(std::size_t local) const { return centre_[local]; }
+    const Vector& reach(std::size_t local) const { return reach_[local]; }
+    double volume(std::size_t local) const { return volume_[local]; }
+
+    /// Local numbers of the neighbours of own cell `cell`.
+    const int* neighbours_begin(std::size_t cell) const { return neighbours_.data() + first_[cell]; }
+    const int* neighbours_end(std::size_t cell) const { return neighbours_.data() + first_[cell + 1]; }
+
+    /// Sets the halo's part of `values` [local_count() x width] to what the owners have. Collective.
+    void fill_halo(Scalars& values, int width) const;
+
+    /// Adds the halo's part of `values` to the owners' and clears it. Collective.
+    void add_halo_to_owners(Scalars& values, int width) const;
+
+    std::size_t doubles_sent() const { return exchange_.doubles_sent(); }
+
+private:
+    struct Candidates;
+
+    Candidates add_reaching_cells_of_others(const MeshView& own);
+    void find_neighbours(const MeshView& own);
+    void drop_unused_halo(const Candidates& candidates);
+
+    Communicator comm_;
+    std::size_t own_count_;
+    Vectors centre_;
+    Vectors reach_;
+    Scalars volume_;
+    std::vector<std::size_t> first_;
+    std::vector<int> neighbours_;
+    SparseExchange exchange_;     ///< from owners to those that hold halo copies
+    std::vector<std::size_t> served_;  ///< own cells that others hold, ordered by rank
+};
+
+}  // namespace interphase

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mapping/cell_weights.hpp"
+
+#include <cmath>
+
+namespace interphase {
+
+void CellWeights::place_in_own_cell(const std::vector<int>& own_cell)
+{
+    cell_ = own_cell;
+    weight_.assign(own_cell.size(), 1.0);
+    first_.resize(own_cell.size() + 1);
+    for (std::size_t i = 0; i < first_.size(); ++i) first_[i] = i;
+}
+
+void CellWeights::spread_by_kernel(const Scalars& positions, const std::vector<int>& own_cell)
+{
+    first_.assign(1, 0);
+    first_.reserve(own_cell.size() + 1);
+    cell_.clear();
+    weight_.clear();
+    for (std::size_t i = 0; i < own_cell.size(); ++i) {
+        const Vector x(positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]);
+        double total = 0;
+        const auto own = static_cast<std::size_t>(own_cell[i]);
+        for (const int* n = cells_.neighbours_begin(own); n != cells_.neighbours_end(own); ++n) {
+            const auto c = static_cast<std::size_t>(*n);
+            const Vector hat = 1.0 - ((x - cells_.centre(c)).array() / cells_.reach(c).array()).abs();
+            if (hat.x() <= 0 || hat.y() <= 0 || hat.z() <= 0) continue;
+            const double weight = hat.prod() * cells_.volume(c);
+            cell_.push_back(*n);
+            weight_.push_back(weight);
+            total += weight;
+        }
+        if (total <= 0) {  // an oddly shaped cell whose box does not hold all of it
+            cell_.push_back(own_cell[i]);
+            weight_.push_back(total = 1.0);
+        }
+        for (std::size_t k = first_.back(); k < weight_.size(); ++k) weight_[k] /= total;
+        first_.push_back(weight_.size());
+    }
+}
+
+void CellWeights::add_to_cells(const Scalars& of_particles, int width, Scalars& of_cells) const
+{
+    const auto w = static_cast<std::size_t>(width);
+    for (std::size_t i = 0; i < particles(); ++i) {
+        const double* q = &of_particles[i * w];
+        for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
+            double* cell = &of_cells[static_cast<std::size_t>(cell_[k]) * w];
+            for (std::size_t m = 0; m < w; ++m) cell[m] += weight_[k] * q[m];
+        }
+    }
+}
+
+Scalars CellWeights::at_particles(const Scalars& of_cells, int width) const
+{
+    const auto w = static_cast<std::size_t>(width);
+    Scalars result(particles() * w, 0.0);
+    for (std::size_t i = 0; i < particles(); ++i) {
+        double* q = &result[i * w];
+        for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
+            const double* cell = &of_cells[static_cast<std::size_t>(cell_[k]) * w];
+            for (std::size_t m = 0; m < w; ++m) q[m] += weight_[k] * cell[m];
+        }
+    }
+    return result;
+}
+
+}  // namespace interphase

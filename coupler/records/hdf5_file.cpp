@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "records/hdf5_file.hpp"
+
+#include "base/user_error.hpp"
+
+namespace interphase {
+
+namespace {
+
+constexpr hsize_t rows_per_chunk = 1024;
+
+Hdf5Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose, "a property list"}; }
+
+Hdf5Handle with_parent_groups()
+{
+    Hdf5Handle list = property_list(H5P_LINK_CREATE);
+    H5Pset_create_intermediate_group(list, 1);
+    return list;
+}
+
+Hdf5Handle shared_by(const Communicator& comm)
+{
+    Hdf5Handle list = property_list(H5P_FILE_ACCESS);
+    H5Pset_fapl_mpio(list, comm.handle(), MPI_INFO_NULL);
+    return list;
+}
+
+Hdf5Handle space(const std::vector<hsize_t>& shape)
+{
+    return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, "a data space"};
+}
+
+void write_unit(hid_t data_set, const std::string& unit)
+{
+    const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "a text type");
+    H5Tset_size(type, unit.empty() ? 1 : unit.size());
+    const Hdf5Handle scalar(H5Screate(H5S_SCALAR), H5Sclose, "a data space");
+    const Hdf5Handle attribute(H5Acreate2(data_set, "unit", type, scalar, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, "a unit");
+    H5Awrite(attribute, type, unit.empty() ? "1" : unit.c_str());
+}
+
+void replace_attribute(hid_t object, const std::string& name, hid_t type, hid_t shape, const void* value)
+{
+    if (H5Aexists(object, name.c_str()) > 0) H5Adelete(object, name.c_str());
+    const Hdf5Handle attribute(H5Acreate2(object, name.c_str(), type, shape, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                               "the attribute " + name);
+    H5Awrite(attribute, type, value);
+}
+
+bool there(hid_t file, const std::string& path)
+{
+    for (std::size_t slash = path.find('/', 1); slash != std::string::npos; slash = path.find('/', slash + 1))
+        if (H5Lexists(file, path.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) return false;
+    return H5Lexists(file, path.c_str(), H5P_DEFAULT) > 0;
+}
+
+}  // namespace
+
+Hdf5Handle::Hdf5Handle(hid_t id, herr_t (*close)(hid_t), const std::string& what) : id_(id), close_(close)
+{
+    if (id_ < 0)
+        throw UserError("HDF5 could not open or make " + what, "the case folder",
+                        "check that the folder can be written, that the disk is not full, and that no other program holds "
+                        "the file");
+}
+
+Hdf5Handle::Hdf5Handle(Hdf5Handle&& other) noexcept : id_(other.id_), close_(other.close_) { other.id_ = -1; }
+
+Hdf5Handle::~Hdf5Handle()
+{
+    if (id_ >= 0) close_(id_);
+}
+
+Hdf5File Hdf5File::create(const std::string& path)
+{
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    return {Hdf5Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, path), false};
+}
+
+Hdf5File Hdf5File::create(const std::string& path, const Communicator& comm)
+{
+    return {Hdf5Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, shared_by(comm)), H5Fclose, path), true};
+}
+
+Hdf5File Hdf5File::open(const std::string& path, const Communicator& comm)
+{
+    return {Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDWR, shared_by(comm)), H5Fclose, path), true};
+}
+
+Hdf5Handle Hdf5File::object(const std::string& path)
+{
+    if (path != "/" && !there(file_, path)) {
+        const Hdf5Handle group(H5Gcreate2(file_, path.c_str(), with_parent_groups(), H5P_DEFAULT, H5P_DEFAULT), H5Gclose,
+                               "the group " + path);
+    }
+    return {H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose, path};
+}
+
+void Hdf5File::set_attribute(const std::string& path, const std::string& name, const std::string& value)
+{
+    const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "a text type");
+    H5Tset_size(type, value.empty() ? 1 : value.size());
+    replace_attribute(object(path), name, type, Hdf5Handle(H5Screate(H5S_SCALAR), H5Sclose, "a data space"),
+                      value.c_str());
+}
+
+void Hdf5File::set_attribute(const std::string& path, const std::string& name, double value)
+{
+    replace_attribute(object(path), name, H5T_NATIVE_DOUBLE, Hdf5Handle(H5Screate(H5S_SCALAR), H5Sclose, "a data space"),
+                      &value);
+}
+
+void Hdf5File::set_attribute(const std::string& path, const std::string& name, const std::vector<double>& values,
+                             const std::vector<hsize_t>& shape)
+{
+    replace_attribute(object(path), name, H5T_NATIVE_DOUBLE, space(shape), values.data());
+}
+
+void Hdf5File::append(const std::string& path, const std::string& unit, const std::vector<double>& values)
+{
+    if (!there(file_, path)) {
+        const hsize_t none = 0, unlimited = H5S_UNLIMITED;
+        const Hdf5Handle shape(H5Screate_simple(1, &none, &unlimited), H5Sclose, "a data space");
+        const Hdf5Handle creation = property_list(H5P_DATASET_CREATE);
+        H5Pset_chunk(creation, 1, &rows_per_chunk);
+        const Hdf5Handle made(H5Dcreate2(file_, path.c_str(), H5T_NATIVE_DOUBLE, shape, with_parent_groups(), creation,
+                                         H5P_DEFAULT),
+                              H5Dclose, path);
+        write_unit(made, unit);
+    }
+    const Hdf5Handle data_set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, path);
+    hsize_t old_count = 0;
+    {
+        const Hdf5Handle shape(H5Dget_space(data_set), H5Sclose, "a data space");
+        H5Sget_simple_extent_dims(shape, &old_count, nullptr);
+    }
+    const hsize_t added = values.size(), count = old_count + added;
+    H5Dset_extent(data_set, &count);
+    const Hdf5Handle target(H5Dget_space(data_set), H5Sclose, "a data space");
+    H5Sselect_hyperslab(target, H5S_SELECT_SET, &old_count, nullptr, &added, nullptr);
+    H5Dwrite(data_set, H5T_NATIVE_DOUBLE, space({added}), target, H5P_DEFAULT, values.data());
+}
+
+void Hdf5File::write_rows(const std::string& path, const std::string& unit, hid_t type, const void* data,
+                          std::size_t rows, std::size_t columns, std::size_t first_row, std::size_t all_rows)
+{
+    const auto shape_of = [columns](std::size_t n) {
+        std::vector<hsize_t> shape{n};
+        if (columns > 1) shape.push_back(columns);
+        return shape;
+    };
+    const Hdf5Handle data_set(H5Dcreate2(file_, path.c_str(), type, space(shape_of(all_rows)), with_parent_groups(),
+                                         H5P_DEFAULT, H5P_DEFAULT),
+                              H5Dclose, path);
+    write_unit(data_set, unit);
+    const Hdf5Handle target(H5Dget_space(data_set), H5Sclose, "a data space");
+    const Hdf5Handle source = space(shape_of(rows));
+    if (rows > 0) {
+        const std::vector<hsize_t> start{first_row, 0}, count{rows, columns};
+        H5Sselect_hyperslab(target, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);
+    } else {
+        H5Sselect_none(target);
+        H5Sselect_none(source);
+    }
+    const Hdf5Handle transfer = property_list(H5P_DATASET_XFER);
+    if (collective_) H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
+    if (H5Dwrite(data_set, type, source, target, transfer, data) < 0)
+        throw UserError("HDF5 could not write " + path, "the case folder", "check that the disk is not full");
+}
+
+void Hdf5File::flush() { H5Fflush(file_, H5F_SCOPE_GLOBAL); }
+
+}  // namespace interphase

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "base/communicator.hpp"
+
+namespace interphase {
+
+/// An HDF5 handle that closes itself.
+class Hdf5Handle {
+public:
+    /// Throws a UserError naming `what` where HDF5 gave no handle.
+    Hdf5Handle(hid_t id, herr_t (*close)(hid_t), const std::string& what);
+    ~Hdf5Handle();
+    Hdf5Handle(Hdf5Handle&& other) noexcept;
+    Hdf5Handle(const Hdf5Handle&) = delete;
+    Hdf5Handle& operator=(const Hdf5Handle&) = delete;
+    Hdf5Handle& operator=(Hdf5Handle&&) = delete;
+    operator hid_t() const { return id_; }
+
+private:
+    hid_t id_;
+    herr_t (*close_)(hid_t);
+};
+
+/// An HDF5 file of one rank, or of all ranks together (every call collective then). Paths are absolute, groups along
+/// them are made as needed.
+class Hdf5File {
+public:
+    /// A new file by this rank alone.
+    static Hdf5File create(const std::string& path);
+    /// A new or an existing file by all ranks.
+    static Hdf5File create(const std::string& path, const Communicator& comm);
+    static Hdf5File open(const std::string& path, const Communicator& comm);
+
+    /// Makes the group where it is missing, and sets an attribute of it (replacing an older one).
+    void set_attribute(const std::string& object, const std::string& name, const std::string& value);
+    void set_attribute(const std::string& object, const std::string& name, double value);
+    void set_attribute(const std::string& object, const std::string& name, const std::vector<double>& values,
+                       const std::vector<hsize_t>& shape);
+
+    /// Appends to a one-dimensional data set of doubles, made with its unit where it is missing.
+    void append(const std::string& path, const std::string& unit, const std::vector<double>& values);
+
+    /// Writes a new data set of `columns` per row (1: one-dimensional), this rank's `rows` at `first_row` of
+    /// `all_rows`. `type` H5T_NATIVE_DOUBLE or H5T_NATIVE_INT.
+    void write_rows(const std::string& path, const std::string& unit, hid_t type, const void* data, std::size_t rows,
+                    std::size_t columns, std::size_t first_row, std::size_t all_rows);
+
+    void flush();
+
+private:
+    Hdf5File(Hdf5Handle file, bool collective) : file_(std::move(file)), collective_(collective) {}
+
+    Hdf5Handle object(const std::string& path);
+
+    Hdf5Handle file_;
+    bool collective_;
+};
+
+}  // namespace interphase

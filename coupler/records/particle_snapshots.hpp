@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/communicator.hpp"
+
+namespace interphase {
+
+/// The particles of one rank at one time, as they are recorded: [n] ids, flat [n x 3] vectors, diameters of the tracked
+/// spheres [n]. SI units.
+struct ParticleRows {
+    std::vector<int> id;
+    Scalars position, velocity, angular_velocity, force, diameter;
+};
+
+/// Writes particles.h5 (a group /snapshots/NNNNNN a time) and particles.xdmf, which ParaView opens. All ranks write
+/// their own rows; no rank gathers them.
+class ParticleSnapshots {
+public:
+    explicit ParticleSnapshots(const Communicator& comm);
+
+    /// Collective.
+    void write(double time, const ParticleRows& rows);
+
+private:
+    void write_xdmf(std::size_t particles, double time);
+
+    Communicator comm_;
+    int count_ = 0;
+    std::string grids_;  ///< the part of the XDMF that lists the snapshots
+};
+
+}  // namespace interphase

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/coupled_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.hpp"
+#include "base/user_error.hpp"
+
+namespace interphase {
+
+namespace {
+
+const char* gas_description(const Settings& settings)
+{
+    switch (settings.gas) {
+    case GasModel::pimple: return settings.two_way ? "pimple, two-way" : "pimple, one-way";
+    case GasModel::frozen: return "frozen, one-way";
+    case GasModel::none: return "none";
+    }
+    return "";
+}
+
+ParticleRows rows_of(const ParticleView& particles)
+{
+    const std::size_t n = particles.size();
+    const auto flat = [n](const VectorsView& vectors) { return Scalars(vectors.data(), vectors.data() + 3 * n); };
+    ParticleRows rows{std::vector<int>(particles.id, particles.id + n), flat(particles.position), flat(particles.velocity),
+                      flat(particles.angular_velocity), flat(particles.force), Scalars(n)};
+    for (std::size_t i = 0; i < n; ++i) rows.diameter[i] = 2 * particles.radius[static_cast<Eigen::Index>(i)];
+    return rows;
+}
+
+}  // namespace
+
+CoupledRun::CoupledRun(int& argc, char**& argv)
+    : case_(argc, argv), settings_(case_.read_settings()), report_(comm_.is_master(), case_.time(), case_.end_time())
+{
+    if (settings_.gas != GasModel::none) gas_ = case_.make_gas(settings_);
+    solids_ = std::make_unique<LiggghtsSolids>(comm_, settings_);
+    clock_ = choose_clock();
+    gas_step_ = clock_.next(case_.gas_step(), 1e300).duration;
+    check_scene();
+
+    const double steps = (case_.end_time() - case_.time() + gas_step_) / clock_.solid_step();
+    solids_->start(clock_.solid_step(), std::lround(steps), gas_ != nullptr);
+    if (gas_) {
+        if ((gas_->gravity() - solids_->gravity()).norm() > 1e-6 * std::max(1.0, gas_->gravity().norm()))
+            throw UserError("gas and particles feel different gravity: constant/g says " + text(gas_->gravity()) +
+                                " m/s2, fix gravity " + text(solids_->gravity()) + " m/s2",
+                            "constant/g and " + settings_.script, "give both the same value");
+        coupling_ = std::make_unique<CouplingStep>(comm_, settings_, *gas_, *solids_, solids_->largest_diameter(),
+                                                   stopwatch_);
+    }
+    results_ = std::make_unique<Results>(comm_);
+    snapshots_ = std::make_unique<ParticleSnapshots>(comm_);
+    describe_run();
+}
+
+LockstepClock CoupledRun::choose_clock() const
+{
+    const std::optional<double> contact = solids_->contact_duration();
+    constexpr double least_steps = 10;  // per collision; 10 to 60 are usual (paper, section 4.6)
+    if (settings_.solid_step > 0) {
+        if (contact && settings_.solid_step > *contact / least_steps * (1 + 1e-9))
+            throw UserError("the solid step of " + text(settings_.solid_step) + " s is too long for the contact model: its shortest "
+                                "collision lasts t_c = " + text(*contact) + " s",
+                            "system/couplingDict.particles, solidStep",
+                            "give at most t_c/" + text(least_steps) + " = " + text(*contact / least_steps) +
+                                " s (t_c/20 is a good start), or make the contacts softer");
+        if (settings_.solid_step > case_.gas_step() * (1 + 1e-9))
+            throw UserError("the solid step of " + text(settings_.solid_step) + " s is longer than the gas step of " +
+                                text(case_.gas_step()) + " s",
+                            "solidStep in system/couplingDict, deltaT in system/controlDict", "make deltaT a multiple of it");
+        return LockstepClock(settings_.solid_step);
+    }
+    if (!contact)
+        throw UserError("the contact model gives no collision time to derive the solid step from",
+                        "system/couplingDict.particles", "give `solidStep` in seconds (known: pair gran model hooke/stiffness)");
+    const double longest = *contact / settings_.steps_per_collision;
+    return LockstepClock(case_.adjusts_gas_step() ? longest : dividing_step(case_.gas_step(), longest));
+}
+
+void CoupledRun::check_scene() const
+{
+    if (solids_->total_count() == 0)
+        throw UserError("there are no particles", settings_.script, "create or read some in the script");
+    if (!gas_ || settings_.mapping == MappingType::kernel) return;
+    const double diameter = solids_->largest_diameter();
+    double smallest = 1e300;
+    for (const Vector& extent : gas_->mesh().extent) smallest = std::min(smallest, extent.minCoeff());
+    smallest = comm_.min(smallest);
+    if (smallest < diameter)
+        throw UserError("the smallest gas cell measures " + text(smallest) + " m, less than a tracked sphere of " +
+                            text(diameter) + " m, which `type cellCentre;` puts into one cell",
+                        "system/couplingDict.mapping", "set `type kernel;`, or use a coarser mesh");
+}
+
+void CoupledRun::describe_run()
+{
+    const long count = solids_->total_count();
+    const std::optional<double> contact = solids_->contact_duration();
+    report_.head(
+        {{"interphase", "LIGGGHTS " + solids_->version() + ", OpenFOAM " + case_.version()},
+         {"case", case_.name()},
+         {"method", name_of(settings_.method) + ", weight " + text(settings_.weight) + ", " + std::to_string(count) + " tracked"},
+         {"gas", std::string(gas_description(settings_)) + (gas_ ? ", drag " + settings_.drag_law : "")},
+         {"steps", "gas " + text(gas_step_) + " s" + (case_.adjusts_gas_step() ? " at first" : "") + ", solids " +
+                       text(clock_.solid_step()) + " s" +
+                       (contact ? " = t_c/" + text(*contact / clock_.solid_step()) : "")},
+         {"ranks", std::to_string(comm_.size())}});
+
+    Results& meta = *results_;
+    meta.describe("/meta", "case", case_.name());
+    meta.describe("/meta", "method", name_of(settings_.method));
+    meta.describe("/meta", "weight", settings_.weight);
+    meta.describe("/meta", "ranks", comm_.size());
+    meta.describe("/meta", "particles", static_cast<double>(count));
+    meta.describe("/meta", "solid_step", clock_.solid_step());
+    meta.describe("/meta", "gas_step", gas_step_);
+    meta.describe("/meta", "drag_law", settings_.drag_law);
+    meta.describe("/meta", "versions", "interphase 0.1, LIGGGHTS " + solids_->version() + ", OpenFOAM " + case_.version());
+    if (!gas_) return;
+    meta.describe_box("/meta", "domain", gas_->bounds());
+    const Vector g = gas_->gravity();
+    if (g.norm() == 0) return;
+    const Box box = gas_->bounds();
+    const double height = (box.col(1) - box.col(0)).cwiseAbs().dot(g.normalized().cwiseAbs());
+    const ParticleView particles = solids_->particles();
+    meta.describe("/meta", "bed_weight_per_area",
+                  comm_.sum(particles.mass.sum()) * g.norm() * height / gas_->total_volume());
+}
+
+void CoupledRun::run()
+{
+    next_record_ = next_snapshot_ = case_.time();
+    try {
+        record(true);
+        while (case_.running()) step();
+        finish();
+    } catch (...) {
+        results_->describe("/meta", "simulated_time", case_.time());
+        results_->flush();
+        throw;
+    }
+}
+
+double CoupledRun::wanted_gas_step() const
+{
+    if (!case_.adjusts_gas_step() || !gas_) return case_.gas_step();
+    const double courant = gas_->courant_number();
+    if (courant <= 0) return std::min(gas_step_, case_.largest_gas_step());
+    // grow gently, shrink at once
+    return std::min({gas_step_ * case_.largest_courant_number() / courant, 1.2 * gas_step_, case_.largest_gas_step()});
+}
+
+void CoupledRun::step()
+{
+    stopwatch_.switch_to(Phase::gas);
+    const GasStep planned = clock_.next(wanted_gas_step(), case_.end_time() - case_.time());
+    gas_step_ = planned.duration;
+    case_.advance_time(planned.duration);
+    if (coupling_) {
+        with_foam_errors([&] { coupling_->advance(planned.duration, planned.substeps); });
+    } else {
+        stopwatch_.switch_to(Phase::solids);
+        solids_->advance(planned.substeps);
+    }
+
+    stopwatch_.switch_to(Phase::output);
+    if (coupling_ && settings_.two_way) {
+        const Interventions counts = coupling_->interventions();
+        results_->add_row("/ledger", {{"time", "s", case_.time()},
+                                      {"momentum_residual", "1", coupling_->ledger().momentum_residual()},
+                                      {"volume_residual", "1", coupling_->ledger().volume_residual()},
+                                      {"cells_relieved", "1", static_cast<double>(counts.cells_relieved)},
+                                      {"particles_outside_mesh", "1", static_cast<double>(counts.outside_mesh)},
+                                      {"beyond_drag_range", "1", static_cast<double>(counts.beyond_drag_range)}});
+    }
+    record(false);
+}
+
+void CoupledRun::record(bool at_start)
+{
+    stopwatch_.switch_to(Phase::output);
+    const double now = case_.time();
+    const double slack = 0.5 * gas_step_;
+    const bool row_due = now > next_record_ - slack;
+    const bool line_due = comm_.any(report_.progress_due());
+    const bool at_end = now > case_.end_time() - slack;
+    if (row_due || line_due || at_end) {
+        last_seen_ = observe(comm_, *solids_, gas_.get(), coupling_ ? coupling_->voidage() : Scalars{},
+                             settings_.pressure_taps);
+        if (row_due && !at_start) results_->add_row("/series", last_seen_.row(now));
+        if (line_due || at_end) report_.progress(now, last_seen_);
+    }
+    while (next_record_ < now + slack) next_record_ += settings_.record_interval;
+
+    const bool write_due = case_.write_due() || at_end;
+    const bool snapshot_due = settings_.snapshot_interval > 0 ? now > next_snapshot_ - slack : write_due;
+    if (snapshot_due || at_start || at_end) snapshots_->write(now, rows_of(solids_->particles()));
+    if (settings_.snapshot_interval > 0)
+        while (next_snapshot_ < now + slack) next_snapshot_ += settings_.snapshot_interval;
+    if (write_due && !at_start) {
+        if (gas_) case_.write();
+        results_->flush();
+    }
+}
+
+void CoupledRun::finish()
+{
+    stopwatch_.switch_to(Phase::output);
+    Report::Account account{case_.time(), {}, coupling_ && settings_.two_way, 0, 0, {}};
+    for (std::size_t phase = 0; phase < phase_names.size(); ++phase) {
+        account.seconds[phase] = comm_.max(stopwatch_.seconds(static_cast<Phase>(phase)));
+        results_->describe("/timing", std::string(phase_names[phase]), account.seconds[phase]);
+    }
+    if (coupling_) {
+        account.momentum_residual = coupling_->ledger().momentum_residual();
+        account.volume_residual = coupling_->ledger().volume_residual();
+        account.interventions = coupling_->interventions();
+        const auto sent = static_cast<double>(coupling_->doubles_sent());
+        results_->describe("/exchange", "bytes_sent_by_busiest_rank", 8 * comm_.max(sent));
+        results_->describe("/exchange", "bytes_sent", 8 * comm_.sum(sent));
+    }
+    results_->describe("/meta", "simulated_time", case_.time());
+    results_->describe("/meta", "wall_time", report_.wall_seconds());
+    results_->flush();
+    report_.summary(account);
+}
+
+}  // namespace interphase

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "engines/openfoam/foam_gas.hpp"
+#include "records/results.hpp"
+#include "step/solids.hpp"
+
+namespace interphase {
+
+/// What the series record of the whole scene at one time.
+struct Observation {
+    long particles = 0;
+    double kinetic_energy = 0;     ///< of translation [J]
+    double bed_height = 0;         ///< twice the centre of mass above the lowest point of the domain [m]
+    double vertical_velocity = 0;  ///< mass average, against gravity [m/s]
+    double pressure_drop = 0;      ///< first tap less second [Pa]
+    double lowest_voidage = 1;
+    double highest_voidage = 1;
+    double courant_number = 0;
+
+    std::vector<Results::Entry> row(double time) const;
+};
+
+/// `gas` may be null. Collective.
+Observation observe(const Communicator& comm, Solids& solids, const FoamGas* gas, const Scalars& voidage,
+                    const std::vector<Vector>& pressure_taps);
+
+}  // namespace interphase

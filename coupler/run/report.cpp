@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/report.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+namespace interphase {
+
+namespace {
+
+constexpr double seconds_between_lines = 5;
+
+double now()
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::string duration(double seconds)
+{
+    char text[32];
+    const long s = static_cast<long>(seconds + 0.5);
+    if (s >= 3600)
+        std::snprintf(text, sizeof text, "%ld:%02ld:%02ld", s / 3600, s / 60 % 60, s % 60);
+    else
+        std::snprintf(text, sizeof text, "%ld:%02ld", s / 60, s % 60);
+    return text;
+}
+
+}  // namespace
+
+Report::Report(bool prints, double start_time, double end_time)
+    : prints_(prints), start_time_(start_time), end_time_(end_time), wall_start_(now())
+{
+}
+
+double Report::wall_seconds() const { return now() - wall_start_; }
+
+void Report::head(const std::vector<std::pair<std::string, std::string>>& facts) const
+{
+    if (!prints_) return;
+    for (const auto& [name, value] : facts) std::printf("  %-12s %s\n", name.c_str(), value.c_str());
+    std::printf("\n");
+    std::fflush(stdout);
+}
+
+bool Report::progress_due() const { return now() - last_line_ > seconds_between_lines; }
+
+void Report::progress(double time, const Observation& seen)
+{
+    if (!prints_) return;
+    last_line_ = now();
+    const double done = time - start_time_, wall = wall_seconds();
+    const double left = done > 0 ? wall * (end_time_ - time) / done : 0;
+    std::printf("t = %-9.4g s  %3.0f %%  %9.3g s/s  ETA %-8s voidage %.3f..%.3f  Co %.2f  particles %ld\n", time,
+                100 * done / (end_time_ - start_time_), done > 0 ? done / wall : 0.0, duration(left).c_str(),
+                seen.lowest_voidage, seen.highest_voidage, seen.courant_number, seen.particles);
+    std::fflush(stdout);
+}
+
+void Report::summary(const Account& account) const
+{
+    if (!prints_) return;
+    const double wall = wall_seconds();
+    std::printf("\nReached t = %.6g s in %s of wall time.\n", account.simulated_time, duration(wall).c_str());
+    std::printf("\n  wall-clock time [s], the slowest rank's\n");
+    for (std::size_t phase = 0; phase < phase_names.size(); ++phase)
+        std::printf("    %-10s %10.2f  %5.1f %%\n", std::string(phase_names[phase]).c_str(), account.seconds[phase],
+                    100 * account.seconds[phase] / wall);
+    if (account.two_way) {
+        std::printf("\n  balances\n");
+        std::printf("    momentum, gas against particles  %.1e of the impulse exchanged\n", account.momentum_residual);
+        std::printf("    solid volume, cells against particles  %.1e of the total\n", account.volume_residual);
+    }
+    std::printf("\n  interventions\n");
+    std::printf("    cells relieved at the packing limit    %ld\n", account.interventions.cells_relieved);
+    std::printf("    particles without a gas cell           %ld\n", account.interventions.outside_mesh);
+    std::printf("    particles beyond the drag law's range  %ld\n", account.interventions.beyond_drag_range);
+    std::fflush(stdout);
+}
+
+}  // namespace interphase

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "records/stopwatch.hpp"
+#include "run/observation.hpp"
+#include "step/coupling_step.hpp"
+
+namespace interphase {
+
+/// What the terminal shows: the head of the run, a line now and then, and the summary. Only rank 0 prints.
+class Report {
+public:
+    Report(bool prints, double start_time, double end_time);
+
+    void head(const std::vector<std::pair<std::string, std::string>>& facts) const;
+
+    /// Prints if the last line is more than a few seconds old.
+    void progress(double time, const Observation& seen);
+    bool progress_due() const;
+
+    double wall_seconds() const;
+
+    struct Account {
+        double simulated_time;
+        std::array<double, phase_names.size()> seconds;  ///< the slowest rank's, phase by phase
+        bool two_way;
+        double momentum_residual, volume_residual;
+        Interventions interventions;
+    };
+    void summary(const Account& account) const;
+
+private:
+    bool prints_;
+    double start_time_, end_time_;
+    double wall_start_;
+    double last_line_ = -1e300;
+};
+
+}  // namespace interphase

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/coupling_step.hpp"
+
+#include <cmath>
+
+#include "base/text.hpp"
+#include "base/user_error.hpp"
+#include "momentum/drag_response.hpp"
+
+namespace interphase {
+
+namespace {
+
+/// What a particle brings to its gas cell. One-way scenes send the first eight entries only.
+enum VisitorEntry {
+    position = 0,
+    velocity = 3,
+    diameter = 6,   // of the real particle
+    volume = 7,     // of solids in the tracked one
+    mass = 8,
+    held = 9,       // by contacts, 0 to 1
+    acceleration = 10,
+    pending = 13,
+    two_way_record = 16,
+    one_way_record = 8,
+};
+
+/// What it takes home: drag rate, gas velocity, pressure gradient.
+constexpr int homeward_record = 7;
+
+Vector vector_at(const Scalars& flat, std::size_t start) { return {flat[start], flat[start + 1], flat[start + 2]}; }
+
+void put(Scalars& flat, std::size_t start, const Vector& v) { std::copy_n(v.data(), 3, &flat[start]); }
+
+double sphere_volume(double radius) { return 4.0 / 3.0 * M_PI * radius * radius * radius; }
+
+}  // namespace
+
+CouplingStep::CouplingStep(const Communicator& comm, const Settings& settings, Gas& gas, Solids& solids,
+                           double largest_diameter, Stopwatch& stopwatch)
+    : comm_(comm)
+    , settings_(settings)
+    , law_(*find_drag_law(settings.drag_law))
+    , gas_(gas)
+    , solids_(solids)
+    , stopwatch_(stopwatch)
+    , homes_search_(comm, gas.locator())
+    , visits_(comm)
+    , mapping_(comm, gas.mesh(), settings.mapping,
+               settings.kernel_width > 0 ? settings.kernel_width : 2 * largest_diameter, settings.maximum_packing)
+    , ledger_(comm)
+    , voidage_(gas.mesh().size(), 1.0)
+    , solid_volume_(gas.mesh().size(), 0.0)
+    , exchange_rate_(gas.mesh().size(), 0.0)
+    , exchange_source_(3 * gas.mesh().size(), 0.0)
+{
+}
+
+void CouplingStep::advance(double dt, int substeps)
+{
+    bring_particles_to_their_cells();
+    map_voidage();
+    map_drag(dt);
+    solve_gas(dt);
+    return_gas_to_particles(dt);
+    move_particles(substeps);
+    book(dt);
+}
+
+void CouplingStep::bring_particles_to_their_cells()
+{
+    stopwatch_.switch_to(Phase::exchange);
+    const ParticleView particles = solids_.particles();
+    const std::size_t n = particles.size();
+
+    homes_.resize(n);
+    for (std::size_t i = 0; i < n; ++i) homes_[i] = particles.coupling[i].home;
+    homes_search_.update(particles.position, homes_);
+    refuse_particles_outside(particles);
+    for (std::size_t i = 0; i < n; ++i) particles.coupling[i].home = homes_[i];
+    visits_.plan(homes_);
+
+    const double per_real = 1.0 / std::cbrt(settings_.weight);
+    const std::size_t width = settings_.two_way ? two_way_record : one_way_record;
+    Scalars records(n * width);
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto column = static_cast<Eigen::Index>(i);
+        const std::size_t r = i * width;
+        put(records, r + position, particles.position.col(column));
+        put(records, r + velocity, particles.velocity.col(column));
+        records[r + diameter] = 2 * particles.radius[column] * per_real;
+        records[r + volume] = sphere_volume(particles.radius[column]);
+        if (!settings_.two_way) continue;
+        const ParticleCoupling& own = particles.coupling[i];
+        const double m = particles.mass[column];
+        records[r + mass] = m;
+        records[r + held] = held_by_contacts(
+            particles.velocity.col(column) - ParticleCoupling::vector(own.start_velocity),
+            ParticleCoupling::vector(own.free_change));
+        put(records, r + acceleration, solids_.gravity() + ParticleCoupling::vector(own.steady_force) / m);
+        put(records, r + pending, own.pending());
+    }
+    visitors_ = visits_.bring(records, static_cast<int>(width));
+}
+
+void CouplingStep::refuse_particles_outside(const ParticleView& particles) const
+{
+    std::optional<std::string> problem;
+    if (settings_.outside_mesh == OutsideMesh::stop)
+        for (std::size_t i = 0; i < homes_.size() && !problem; ++i) {
+            if (homes_[i].known()) continue;
+            const Vector x = particles.position.col(static_cast<Eigen::Index>(i));
+            problem = "particle " + std::to_string(particles.id[i]) + " (rank " + std::to_string(comm_.rank()) +
+                      ") is in no gas cell\n  where:  at " + text(x) +
+                      "\n  remedy: keep the particles inside the mesh (walls in the LIGGGHTS script, initial positions, solid "
+                      "step), or set `outsideMesh ignore;` in system/couplingDict to let such particles move without gas";
+        }
+    comm_.fail_together(problem);
+}
+
+void CouplingStep::map_voidage()
+{
+    stopwatch_.switch_to(Phase::mapping);
+    const std::size_t width = settings_.two_way ? two_way_record : one_way_record;
+    Scalars positions(3 * visits_.visitors()), volumes(visits_.visitors());
+    for (std::size_t i = 0; i < visits_.visitors(); ++i) {
+        std::copy_n(&visitors_[i * width + position], 3, &positions[3 * i]);
+        volumes[i] = visitors_[i * width + volume];
+    }
+    mapping_.place(positions, visits_.cells());
+    for (const CellAddress& home : homes_) outside_ += !home.known();
+    if (!settings_.two_way) return;
+
+    solid_volume_ = mapping_.solid_volume(volumes);
+    relieved_ += mapping_.cells_relieved();
+    for (std::size_t c = 0; c < voidage_.size(); ++c) voidage_[c] = 1.0 - solid_volume_[c] / gas_.mesh().volume[c];
+
+    transactions_ = {};
+    for (const double v : solid_volume_) transactions_.solid_volume_in_cells += v;
+    for (const double v : volumes) transactions_.solid_volume_of_particles += v;
+}
+
+void CouplingStep::map_drag(double dt)
+{
+    const std::size_t width = settings_.two_way ? two_way_record : one_way_record;
+    const Scalars gas_velocity = gas_.velocity();
+    Scalars seen_by_cells(4 * voidage_.size());
+    for (std::size_t c = 0; c < voidage_.size(); ++c) {
+        seen_by_cells[4 * c] = voidage_[c];
+        std::copy_n(&gas_velocity[3 * c], 3, &seen_by_cells[4 * c + 1]);
+    }
+    const Scalars seen = mapping_.to_particles(seen_by_cells, 4);
+
+    drag_rates_.resize(visits_.visitors());
+    for (std::size_t i = 0; i < visits_.visitors(); ++i) {
+        const double eps = seen[4 * i];
+        const double slip = (vector_at(seen, 4 * i + 1) - vector_at(visitors_, i * width + velocity)).norm();
+        const double d = visitors_[i * width + diameter];
+        const double reynolds = eps * gas_.density() * slip * d / gas_.viscosity();
+        beyond_range_ += eps < law_.voidage_min || eps > law_.voidage_max || reynolds > law_.reynolds_max;
+        drag_rates_[i] = visitors_[i * width + volume] *
+                         drag_rate_per_volume(law_, eps, slip, d, gas_.density(), gas_.viscosity());
+    }
+    if (!settings_.two_way) return;
+
+    // kappa, and the part of the force that does not wait for the gas solve: kappa v + carried / dt - pending / dt
+    Scalars demands(4 * visits_.visitors());
+    for (std::size_t i = 0; i < visits_.visitors(); ++i) {
+        const double* record = &visitors_[i * width];
+        const AssumedDrag drag = assume_drag(record[mass], drag_rates_[i], record[held],
+                                             vector_at(visitors_, i * width + acceleration), dt);
+        demands[4 * i] = drag.kappa;
+        put(demands, 4 * i + 1,
+            drag.kappa * vector_at(visitors_, i * width + velocity) +
+                (drag.carried - vector_at(visitors_, i * width + pending)) / dt);
+    }
+    const Scalars contents = mapping_.to_cells(demands, 4);
+    for (std::size_t c = 0; c < voidage_.size(); ++c) {
+        const double per_volume = 1.0 / gas_.mesh().volume[c];
+        exchange_rate_[c] = contents[4 * c] * per_volume;
+        put(exchange_source_, 3 * c, per_volume * vector_at(contents, 4 * c + 1));
+    }
+}
+
+void CouplingStep::solve_gas(double dt)
+{
+    stopwatch_.switch_to(Phase::waiting);
+    comm_.barrier();
+    stopwatch_.switch_to(Phase::gas);
+    if (settings_.two_way) gas_.set_voidage(voidage_);
+    gas_.solve(dt, exchange_rate_, exchange_source_);
+}
+
+void CouplingStep::return_gas_to_particles(double dt)
+{
+    stopwatch_.switch_to(Phase::mapping);
+    const Scalars gas_velocity = gas_.velocity();
+    const Scalars gradient = gas_.pressure_gradient();
+    if (settings_.two_way)
+        for (std::size_t c = 0; c < voidage_.size(); ++c) {
+            const Vector drag = exchange_rate_[c] * vector_at(gas_velocity, 3 * c) - vector_at(exchange_source_, 3 * c);
+            transactions_.given_by_gas +=
+                dt * (gas_.mesh().volume[c] * drag - solid_volume_[c] * vector_at(gradient, 3 * c));
+        }
+
+    Scalars seen_by_cells(6 * voidage_.size());
+    for (std::size_t c = 0; c < voidage_.size(); ++c) {
+        std::copy_n(&gas_velocity[3 * c], 3, &seen_by_cells[6 * c]);
+        std::copy_n(&gradient[3 * c], 3, &seen_by_cells[6 * c + 3]);
+    }
+    const Scalars seen = mapping_.to_particles(seen_by_cells, 6);
+    Scalars answers(homeward_record * visits_.visitors());
+    for (std::size_t i = 0; i < visits_.visitors(); ++i) {
+        answers[homeward_record * i] = drag_rates_[i];
+        std::copy_n(&seen[6 * i], 6, &answers[homeward_record * i + 1]);
+    }
+
+    stopwatch_.switch_to(Phase::exchange);
+    const Scalars fluid = visits_.take_back(answers, homeward_record);
+    const ParticleView particles = solids_.particles();
+    assumed_at_start_.setZero();
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+        const auto column = static_cast<Eigen::Index>(i);
+        const std::size_t f = homeward_record * i;
+        const double m = particles.mass[column];
+        const Vector v = particles.velocity.col(column);
+        const Vector u = vector_at(fluid, f + 1);
+        ParticleCoupling& own = particles.coupling[i];
+
+        const double was_held = held_by_contacts(v - ParticleCoupling::vector(own.start_velocity),
+                                                 ParticleCoupling::vector(own.free_change));
+        const Vector old_acceleration = solids_.gravity() + ParticleCoupling::vector(own.steady_force) / m;
+        const Vector assumed = assume_drag(m, fluid[f], was_held, old_acceleration, dt).impulse(u, v, dt);
+        const Vector steady = -sphere_volume(particles.radius[column]) * vector_at(fluid, f + 4);
+
+        own.drag_rate = fluid[f];
+        ParticleCoupling::set(own.gas_velocity, u);
+        ParticleCoupling::set(own.steady_force, steady);
+        ParticleCoupling::set(own.drag_impulse_taken, Vector::Zero());
+        ParticleCoupling::set(own.drag_impulse_assumed, settings_.two_way ? assumed : Vector::Zero());
+        ParticleCoupling::set(own.start_velocity, v);
+        ParticleCoupling::set(own.free_change,
+                              free_change(m, fluid[f], u - v, solids_.gravity() + steady / m, dt));
+        assumed_at_start_ += assumed + dt * steady;
+    }
+}
+
+void CouplingStep::move_particles(int substeps)
+{
+    stopwatch_.switch_to(Phase::waiting);
+    comm_.barrier();
+    stopwatch_.switch_to(Phase::solids);
+    solids_.advance(substeps);
+    stopwatch_.switch_to(Phase::waiting);
+    comm_.barrier();
+}
+
+void CouplingStep::book(double dt)
+{
+    stopwatch_.switch_to(Phase::exchange);
+    const ParticleView particles = solids_.particles();
+    comm_.fail_together(trouble(particles));
+
+    const long count = comm_.sum(static_cast<long>(particles.size()));
+    const bool fewer = particle_count_ >= 0 && count < particle_count_;
+    if (fewer && !solids_.may_remove_particles())
+        throw UserError(std::to_string(particle_count_ - count) + " of " + std::to_string(particle_count_) +
+                            " particles were lost in this gas step",
+                        "LIGGGHTS found them outside its domain and dropped them",
+                        "check walls and boundaries in the script, and the solid step; a scene that removes particles on "
+                        "purpose says so with a fix massflow/mesh ... delete_atoms, or a delete_atoms command");
+    particle_count_ = count;
+    if (!settings_.two_way) return;
+
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+        const ParticleCoupling& own = particles.coupling[i];
+        const Vector steady = dt * ParticleCoupling::vector(own.steady_force);
+        transactions_.taken_by_particles += ParticleCoupling::vector(own.drag_impulse_taken) + steady;
+        transactions_.assumed_of_particles += ParticleCoupling::vector(own.drag_impulse_assumed) + steady;
+        transactions_.pending += own.pending();
+    }
+    ledger_.book(transactions_, assumed_at_start_, fewer);
+}
+
+std::optional<std::string> CouplingStep::trouble(const ParticleView& particles) const
+{
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+        const auto column = static_cast<Eigen::Index>(i);
+        if (particles.position.col(column).allFinite() && particles.velocity.col(column).allFinite()) continue;
+        return "the velocity or position of particle " + std::to_string(particles.id[i]) + " (rank " +
+               std::to_string(comm_.rank()) + ") is not finite: v = " + text(Vector(particles.velocity.col(column))) +
+               "\n  where:  at " + text(Vector(particles.position.col(column))) +
+               "\n  remedy: reduce the solid step (particles/stepsPerCollision), check overlaps at the start";
+    }
+    return gas_.trouble();
+}
+
+Interventions CouplingStep::interventions() const
+{
+    return {comm_.sum(relieved_), comm_.sum(outside_), comm_.sum(beyond_range_)};
+}
+
+std::size_t CouplingStep::doubles_sent() const
+{
+    return homes_search_.doubles_sent() + visits_.doubles_sent() + mapping_.doubles_sent();
+}
+
+}  // namespace interphase

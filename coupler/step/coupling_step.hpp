@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "drag/drag_law.hpp"
+#include "exchange/home_search.hpp"
+#include "exchange/visits.hpp"
+#include "mapping/mapping.hpp"
+#include "momentum/ledger.hpp"
+#include "records/stopwatch.hpp"
+#include "settings/settings.hpp"
+#include "step/gas.hpp"
+#include "step/solids.hpp"
+
+namespace interphase {
+
+/// Interventions so far, on all ranks.
+struct Interventions {
+    long cells_relieved = 0;     ///< cells above the packing limit, cell by cell and step by step
+    long outside_mesh = 0;       ///< particles without a gas cell, particle by particle and step by step
+    long beyond_drag_range = 0;  ///< particles outside the drag law's published range
+};
+
+/// One lockstep of gas and particles.
+class CouplingStep {
+public:
+    CouplingStep(const Communicator& comm, const Settings& settings, Gas& gas, Solids& solids, double largest_diameter,
+                 Stopwatch& stopwatch);
+
+    /// Advances gas and particles by `dt` = `substeps` solid steps. Throws a UserError on all ranks if a particle is outside
+    /// the mesh, a packing cannot be relieved or a value is not finite. Collective.
+    void advance(double dt, int substeps);
+
+    const Ledger& ledger() const { return ledger_; }
+    const Scalars& voidage() const { return voidage_; }
+
+    /// Collective.
+    Interventions interventions() const;
+
+    /// Doubles that this rank has sent to others in the exchange of particle and cell data so far.
+    std::size_t doubles_sent() const;
+
+private:
+    void bring_particles_to_their_cells();
+    void map_voidage();
+    void map_drag(double dt);
+    void solve_gas(double dt);
+    void return_gas_to_particles(double dt);
+    void move_particles(int substeps);
+    void book(double dt);
+
+    void refuse_particles_outside(const ParticleView& particles) const;
+    std::optional<std::string> trouble(const ParticleView& particles) const;
+
+    Communicator comm_;
+    const Settings& settings_;
+    const DragLaw& law_;
+    Gas& gas_;
+    Solids& solids_;
+    Stopwatch& stopwatch_;
+
+    HomeSearch homes_search_;
+    Visits visits_;
+    Mapping mapping_;
+    Ledger ledger_;
+
+    std::vector<CellAddress> homes_;
+    Scalars visitors_;       ///< one record a visitor, as packed
+    Scalars drag_rates_;     ///< of the visitors [kg/s]
+    Scalars voidage_;        ///< own cells
+    Scalars solid_volume_;   ///< own cells [m3]
+    Scalars exchange_rate_;    ///< own cells [kg/(m3 s)]
+    Scalars exchange_source_;  ///< own cells [n x 3, N/m3]
+    Transactions transactions_;
+    Vector assumed_at_start_ = Vector::Zero();
+    long outside_ = 0;
+    long relieved_ = 0;
+    long beyond_range_ = 0;
+    long particle_count_ = -1;
+};
+
+}  // namespace interphase

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/vector.hpp"
+#include "momentum/particle_coupling.hpp"
+
+namespace interphase {
+
+/// The particles a rank owns [n]; valid until the solids advance. Radius [m] and mass [kg] are those of the tracked sphere.
+struct ParticleView {
+    VectorsView position;
+    VectorsView velocity;
+    VectorsView angular_velocity;
+    VectorsView force;
+    ScalarsView radius;
+    ScalarsView mass;
+    const int* id;
+    ParticleCoupling* coupling;
+
+    std::size_t size() const { return static_cast<std::size_t>(position.cols()); }
+};
+
+/// What moves the particles. Between gas steps it applies force_with_fluid() in every substep.
+class Solids {
+public:
+    virtual ~Solids() = default;
+    virtual ParticleView particles() = 0;
+    virtual Vector gravity() const = 0;  ///< [m/s2]
+
+    /// Whether the scene may remove particles on purpose (so that fewer are not a loss).
+    virtual bool may_remove_particles() const = 0;
+
+    /// Collective.
+    virtual void advance(int substeps) = 0;
+};
+
+}  // namespace interphase

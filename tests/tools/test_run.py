@@ -1,0 +1,497 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""tools/run: what it refuses, what it writes into the run's folder, what it executes and how it ends.
+
+Shell scripts stand in for interphase and OpenFOAM's programs, so no engine is needed.
+"""
+
+import json
+import os
+import runpy
+import shlex
+import shutil
+import signal
+import stat
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
+sys.path.insert(0, os.path.join(REPOSITORY, "tools"))
+
+from lib import case_folder, foam_file, launch  # noqa: E402
+
+PARAMETERS = """// The scene's numbers
+method    CGPM;   // DEM | CGPM
+weight    8;      // real particles per parcel
+velocity  2.19;   /* m/s */
+endTime   1;
+gasModel  pimple;
+"""
+
+COUPLING = """FoamFile { version 2.0; format ascii; class dictionary; object couplingDict; }
+#include "$FOAM_CASE/parameters"
+method      $method;
+weight      ${weight};
+particles { script "dem/in.liggghts"; variables { diameter 0.003; } }
+gas     { model $gasModel; coupling twoWay; }
+drag       { law BVK; }   // law Ergun;
+"""
+
+CONTROL = """#include "$FOAM_CASE/parameters"
+application   interphase;
+endTime       $endTime;
+writeInterval 0.05; // s
+functions { probe { type probes; fields (p U); } }
+"""
+
+
+def write(path, text, executable=False):
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    with open(path, "w", encoding="utf-8") as stream:
+        stream.write(text)
+    if executable:
+        os.chmod(path, os.stat(path).st_mode | stat.S_IXUSR)
+
+
+def read(*parts):
+    with open(os.path.join(*parts), encoding="utf-8") as stream:
+        return stream.read()
+
+
+class Bench(unittest.TestCase):
+    """A folder with a case, fake programs on PATH, and a way to call tools/run there."""
+
+    def setUp(self):
+        self.root = tempfile.mkdtemp(prefix="interphase-run-")
+        self.addCleanup(shutil.rmtree, self.root)
+        self.case = os.path.join(self.root, "bed")
+        self.out = os.path.join(self.root, "out")
+        write(os.path.join(self.case, "parameters"), PARAMETERS)
+        write(os.path.join(self.case, "system/couplingDict"), COUPLING)
+        write(os.path.join(self.case, "system/controlDict"), CONTROL)
+        write(os.path.join(self.case, "system/blockMeshDict"), "vertices ();\n")
+        write(os.path.join(self.case, "dem/in.liggghts"), "units si\n")
+        self.programs = os.path.join(self.root, "programs")
+        self.calls = os.path.join(self.root, "calls")
+        for name in ("blockMesh", "decomposePar", "reconstructPar"):
+            self.program(name, "")
+        self.program("mpirun", 'while [ "${1#-}" != "$1" ]; do [ "$1" = -np ] && shift; shift; done; exec "$@"')
+        self.binary = self.program("interphase", "echo progress 50%; echo summary")
+
+    def program(self, name, body):
+        path = os.path.join(self.programs, name)
+        write(path, f'#!/bin/sh\necho "{name} $*" >> "{self.calls}"\n{body}\n', executable=True)
+        return path
+
+    def environment(self, **changes):
+        environment = {**os.environ, "PATH": self.programs + os.pathsep + os.environ["PATH"], "INTERPHASE_BIN": self.binary}
+        environment.pop("WM_PROJECT_DIR", None)
+        return {**environment, **changes}
+
+    def arguments(self, *given, out=True):
+        return [os.path.join(REPOSITORY, "tools/run"), *given, *(["--out", self.out] if out else [])]
+
+    def run_tool(self, *given, out=True, environment=None, cwd=None):
+        return subprocess.run(
+            self.arguments(*given, out=out), env=environment or self.environment(), cwd=cwd or self.root,
+            stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=60,
+        )
+
+    def succeed(self, *given, **how):
+        done = self.run_tool(*given, **how)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return done
+
+    def refused(self, *given, **how):
+        done = self.run_tool(*given, **how)
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        self.assertNotIn("Traceback", done.stderr)
+        self.assertFalse(os.path.exists(self.calls), "a program was started before the refusal")
+        return done.stderr
+
+    def called(self):
+        return [line.split()[0] for line in read(self.calls).splitlines()] if os.path.exists(self.calls) else []
+
+
+class Refusals(Bench):
+    def test_names_what_was_looked_for_in_a_folder_that_is_no_case(self):
+        os.mkdir(os.path.join(self.root, "empty"))
+        self.assertIn("there is no system/couplingDict in it", self.refused("empty"))
+
+    def test_a_folder_that_does_not_exist(self):
+        message = self.refused("nowhere")
+        self.assertIn("nowhere: no such folder", message)
+        self.assertIn("case", message)
+
+    def test_an_unknown_parameter_gets_the_nearest_name(self):
+        message = self.refused("bed", "--set", "velocty=3")
+        self.assertIn("did you mean 'velocity'?", message)
+        self.assertIn("bed/parameters", message)
+
+    def test_an_unknown_parameter_far_from_all_lists_them(self):
+        self.assertIn("valid names: method, weight, velocity", self.refused("bed", "--set", "zzzz=3"))
+
+    def test_an_unknown_file_gets_the_nearest_name(self):
+        message = self.refused("bed", "--set", "system/controldict:writeInterval=1")
+        self.assertIn("did you mean 'system/controlDict'", message)
+
+    def test_a_file_outside_the_case(self):
+        self.assertIn("not inside the case", self.refused("bed", "--set", "../bed/parameters:velocity=1"))
+
+    def test_a_dictionary_is_no_value(self):
+        message = self.refused("bed", "--set", "system/couplingDict:drag=Ergun")
+        self.assertIn("'drag' is a dictionary", message)
+        self.assertIn("law", message)
+
+    def test_a_value_cannot_smuggle_in_entries(self):
+        self.assertIn("no single value", self.refused("bed", "--set", "velocity=1; weight 2"))
+
+    def test_a_setting_without_value(self):
+        self.assertIn("KEY=VALUE", self.refused("bed", "--set", "velocity"))
+
+    def test_dem_with_parcels(self):
+        message = self.refused("bed", "--method", "DEM", "--weight", "8")
+        self.assertIn("--weight 8 does not go with method DEM", message)
+
+    def test_the_same_by_set(self):
+        self.assertIn("does not go with", self.refused("bed", "--set", "method=DEM", "--set", "weight=8"))
+
+    def test_weights_below_one_and_no_numbers(self):
+        for weight in ("0.5", "-8", "nan", "inf"):
+            with self.subTest(weight):
+                self.assertIn("at least 1 real particle", self.refused("bed", "--weight=" + weight))
+        self.assertIn("no number", self.refused("bed", "--weight", "many"))
+
+    def test_plug_in_methods(self):
+        for method in ("TDHS", "CGHS", "MPPIC", "mp-pic"):
+            with self.subTest(method):
+                self.assertIn("come as plug-ins and are not part of this version", self.refused("bed", "--method", method))
+
+    def test_a_mistyped_method(self):
+        self.assertIn("did you mean 'CGPM'?", self.refused("bed", "--method", "CGMP"))
+
+    def test_an_end_that_is_no_time(self):
+        for until in ("soon", "0", "-1"):
+            with self.subTest(until):
+                self.assertIn("--until", self.refused("bed", "--until=" + until))
+
+    def test_contradicting_options(self):
+        self.assertIn("contradicts", self.refused("bed", "--until", "2", "--set", "system/controlDict:endTime=3"))
+
+    def test_no_ranks(self):
+        self.assertIn("--ranks 0", self.refused("bed", "--ranks", "0"))
+
+    def test_a_path_with_spaces(self):
+        message = self.refused("bed", "--out", os.path.join(self.root, "a b"), out=False)
+        self.assertIn("OpenFOAM bears no ' ' in a path", message)
+        self.assertIn("--out", message)
+
+    def test_a_run_inside_its_case_or_around_it(self):
+        for place in (self.case, os.path.join(self.case, "run"), self.root):
+            with self.subTest(place):
+                self.assertIn("must lie apart", self.refused("bed", "--overwrite", "--out", place, out=False))
+
+    def test_a_broken_dictionary_names_file_and_line(self):
+        write(os.path.join(self.case, "system/couplingDict"), "method DEM;\ndrag { law BVK;\n")
+        message = self.refused("bed")
+        self.assertIn("system/couplingDict: line 2", message)
+
+    def test_a_binary_that_is_none(self):
+        message = self.refused("bed", environment=self.environment(INTERPHASE_BIN="/no/such/interphase"))
+        self.assertIn("INTERPHASE_BIN=/no/such/interphase", message)
+
+
+class Folders(Bench):
+    def test_an_earlier_run_stays_unless_told(self):
+        self.succeed("bed")
+        write(os.path.join(self.out, "results.h5"), "precious")
+        again = self.run_tool("bed")
+        self.assertEqual(again.returncode, 2)
+        self.assertIn("--overwrite", again.stderr)
+        self.assertEqual(read(self.out, "results.h5"), "precious")
+        self.succeed("bed", "--overwrite")
+        self.assertFalse(os.path.exists(os.path.join(self.out, "results.h5")))
+
+    def test_files_that_are_no_run_stay_even_when_told(self):
+        write(os.path.join(self.out, "thesis.tex"), "precious")
+        self.assertIn("no run of tools/run", self.refused("bed", "--overwrite"))
+        self.assertEqual(read(self.out, "thesis.tex"), "precious")
+
+    def test_an_empty_folder_is_taken(self):
+        os.mkdir(self.out)
+        self.succeed("bed")
+
+    def test_what_an_earlier_run_left_in_the_case_is_not_copied(self):
+        write(os.path.join(self.case, "processor0/1/U"), "")
+        write(os.path.join(self.case, "results.h5"), "old")
+        write(os.path.join(self.case, "README.md"), "# bed")
+        self.succeed("bed")
+        self.assertFalse(os.path.exists(os.path.join(self.out, "processor0")))
+        self.assertFalse(os.path.exists(os.path.join(self.out, "results.h5")))
+        self.assertTrue(os.path.exists(os.path.join(self.out, "README.md")))
+
+    def test_default_names(self):
+        name = runpy.run_path(os.path.join(REPOSITORY, "tools/run"))["default_folder"]
+        self.assertEqual(name("/c/bed", "CGPM", 8.0, 1), os.path.join(REPOSITORY, "runs/bed-CGPM-w8"))
+        self.assertEqual(name("/c/bed", "DEM", 1.0, 4), os.path.join(REPOSITORY, "runs/bed-DEM-w1-4ranks"))
+
+
+class Settings(Bench):
+    def test_values_change_and_all_else_stays(self):
+        self.succeed("bed", "--set", "velocity=3.28", "--set", "system/couplingDict:drag/law=Gidaspow",
+                     "--set", "system/controlDict:functions/probe/fields=(U)")
+        self.assertEqual(read(self.out, "parameters"), PARAMETERS.replace("2.19", "3.28"))
+        self.assertEqual(read(self.out, "system/couplingDict"), COUPLING.replace("law BVK", "law Gidaspow"))
+        self.assertEqual(read(self.out, "system/controlDict"), CONTROL.replace("(p U)", "(U)"))
+        self.assertEqual(read(self.case, "parameters"), PARAMETERS, "the case itself stays as it is")
+
+    def test_method_dem_alone_says_weight_one(self):
+        self.succeed("bed", "--method", "dem")
+        self.assertEqual(read(self.out, "parameters"), PARAMETERS.replace("CGPM; ", "DEM; ", 1).replace("8;", "1;"))
+
+    def test_cgpm_keeps_the_weight_of_the_case(self):
+        self.succeed("bed", "--method", "CGPM")
+        self.assertEqual(read(self.out, "parameters"), PARAMETERS)
+
+    def test_weight(self):
+        self.succeed("bed", "--weight", "27")
+        self.assertIn("weight    27;", read(self.out, "parameters"))
+
+    def test_method_and_weight_written_in_the_coupling_itself(self):
+        text = COUPLING.replace("$method", "CGPM").replace("${weight}", "8")
+        write(os.path.join(self.case, "system/couplingDict"), text)
+        self.succeed("bed", "--method", "DEM")
+        self.assertIn("method      DEM;\nweight      1;", read(self.out, "system/couplingDict"))
+
+    def test_until_goes_where_end_time_is_written(self):
+        self.succeed("bed", "--until", "0.2")
+        self.assertIn("endTime   0.2;", read(self.out, "parameters"))
+        shutil.rmtree(self.out)
+        write(os.path.join(self.case, "system/controlDict"), CONTROL.replace("$endTime", "1"))
+        self.succeed("bed", "--until", "0.2")
+        self.assertIn("endTime       0.2;", read(self.out, "system/controlDict"))
+
+    def test_subdomains(self):
+        file = os.path.join(self.case, "system/decomposeParDict")
+        dictionary = "numberOfSubdomains 2; // ranks\nmethod simple;\nsimpleCoeffs { n (1 2 1); delta 0.001; }\n"
+        write(file, dictionary)
+        self.succeed("bed", "--ranks", "3")
+        self.assertEqual(read(self.out, "system/decomposeParDict"), dictionary.replace("2;", "3;").replace("(1 2 1)", "(1 3 1)"))
+        by_macro = "numberOfSubdomains 2;\nmethod simple;\nsimpleCoeffs { n (1 $numberOfSubdomains 1); }\n"
+        write(file, by_macro)
+        self.succeed("bed", "--ranks", "3", "--overwrite")
+        self.assertEqual(read(self.out, "system/decomposeParDict"), by_macro.replace("2;", "3;"))
+        write(file, "numberOfSubdomains 2;\nmethod scotch;\n")
+        self.succeed("bed", "--ranks", "3", "--overwrite")
+        self.assertEqual(read(self.out, "system/decomposeParDict"), "numberOfSubdomains 3;\nmethod scotch;\n")
+        os.remove(file)
+        self.succeed("bed", "--ranks", "3", "--overwrite")
+        self.assertEqual(foam_file.value(read(self.out, "system/decomposeParDict"), "simpleCoeffs/n"), "(3 1 1)")
+
+
+class Execution(Bench):
+    def printed_command(self, done):
+        lines = done.stdout.splitlines()
+        at = lines.index("running")
+        return lines[at + 1].strip(), lines[at + 2].strip()
+
+    def test_serial_order_and_command(self):
+        done = self.succeed("bed")
+        self.assertEqual(self.called(), ["blockMesh", "interphase"])
+        move, line = self.printed_command(done)
+        self.assertEqual(move, f"cd {self.out}")
+        self.assertTrue(line.endswith(f"{self.binary} -case {self.out}"), line)
+        self.assertIn("progress 50%\nsummary\n", done.stdout)
+        self.assertEqual(read(self.out, "log.interphase"), "progress 50%\nsummary\n")
+        self.assertTrue(os.path.exists(os.path.join(self.out, "bed.foam")))
+        self.assertIn(os.path.join(self.out, "bed.foam"), done.stdout)
+        self.assertEqual(json.loads(read(self.out, "run.json"))["exit_code"], 0)
+
+    def test_the_printed_command_does_the_same(self):
+        move, line = self.printed_command(self.succeed("bed"))
+        os.remove(self.calls)
+        copied = self.environment()
+        subprocess.run(["sh", "-c", f"{move} && {line}"], env=copied, check=True, capture_output=True)
+        self.assertEqual(read(self.calls), f"interphase -case {self.out}\n")
+
+    def test_parallel_order_and_command(self):
+        self.program("decomposePar", 'mkdir -p "$2/processor0/0" "$2/processor1/0"')
+        self.binary = self.program("interphase", 'mkdir -p "$3/processor0/0.5"')
+        done = self.succeed("bed", "--ranks", "2")
+        self.assertEqual(self.called(), ["blockMesh", "decomposePar", "mpirun", "interphase", "reconstructPar"])
+        words = shlex.split(self.printed_command(done)[1])
+        words = words[words.index("mpirun"):]
+        self.assertEqual(words[:3], ["mpirun", "-np", "2"])
+        self.assertEqual(words[-4:], [self.binary, "-parallel", "-case", self.out])
+
+    def test_nothing_to_reconstruct_where_no_later_time_was_written(self):
+        self.succeed("bed", "--ranks", "2")
+        self.assertNotIn("reconstructPar", self.called())
+
+    def test_oversubscribes_beyond_the_cores(self):
+        self.assertIn("--oversubscribe", launch.command("x", "/r", launch.cores() + 1))
+        self.assertNotIn("--oversubscribe", launch.command("x", "/r", launch.cores()))
+
+    def test_particles_alone_need_no_mesh(self):
+        done = self.succeed("bed", "--ranks", "2", "--set", "gasModel=none")
+        self.assertEqual(self.called(), ["mpirun", "interphase"])
+        self.assertTrue(os.path.isdir(os.path.join(self.out, "processor1")))
+        self.assertFalse(os.path.exists(os.path.join(self.out, "bed.foam")), done.stdout)
+
+    def test_gas_without_any_mesh(self):
+        os.remove(os.path.join(self.case, "system/blockMeshDict"))
+        done = self.run_tool("bed")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("neither system/blockMeshDict nor constant/polyMesh", done.stderr)
+
+    def test_prepare_runs_in_the_copy_with_tools_on_path_before_the_mesh(self):
+        write(os.path.join(self.case, "prepare"),
+              f'#!/bin/sh\necho prepare >> "{self.calls}"\npwd\ncommand -v picture\ngrep velocity parameters\ntouch dem/bed.data\n',
+              executable=True)
+        self.succeed("bed", "--set", "velocity=4.38")
+        self.assertEqual(self.called(), ["prepare", "blockMesh", "interphase"])
+        log = read(self.out, "log.prepare").splitlines()
+        self.assertEqual(log[0], os.path.realpath(self.out))
+        self.assertEqual(log[1], os.path.join(REPOSITORY, "tools/picture"))
+        self.assertIn("4.38", log[2])
+        self.assertTrue(os.path.exists(os.path.join(self.out, "dem/bed.data")))
+
+    def test_a_step_that_fails_shows_its_last_lines_and_its_log(self):
+        self.program("blockMesh", "echo inconsistent point; exit 7")
+        done = self.run_tool("bed")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("blockMesh failed (exit code 7)", done.stderr)
+        self.assertIn("inconsistent point", done.stderr)
+        self.assertIn(os.path.join(self.out, "log.blockMesh"), done.stderr)
+        self.assertNotIn("interphase", self.called())
+
+    def test_exit_code_is_the_program_s(self):
+        self.binary = self.program("interphase", "echo NaN in U; exit 3")
+        done = self.run_tool("bed", "--quiet")
+        self.assertEqual(done.returncode, 3)
+        self.assertEqual(done.stdout, "")
+        self.assertIn("NaN in U", done.stderr)
+        self.assertIn(os.path.join(self.out, "log.interphase"), done.stderr)
+        self.assertFalse(os.path.exists(os.path.join(self.out, "bed.foam")))
+
+    def test_a_killed_program_is_no_success(self):
+        self.binary = self.program("interphase", "kill -SEGV $$")
+        done = self.run_tool("bed")
+        self.assertEqual(done.returncode, 128 + signal.SIGSEGV)
+        self.assertIn("killed by SIGSEGV", done.stderr)
+
+    def test_signals_reach_the_program_and_its_exit_code_comes_back(self):
+        for number, name in ((signal.SIGINT, "INT"), (signal.SIGTERM, "TERM")):
+            with self.subTest(name):
+                self.binary = self.program("interphase", f"trap 'echo stopping on {name}; exit 9' {name}\necho ready\n"
+                                                         "while :; do sleep 0.05; done")
+                tool = subprocess.Popen(self.arguments("bed", "--overwrite"), env=self.environment(), cwd=self.root,
+                                        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+                self.addCleanup(tool.kill)
+                while "ready" not in (line := tool.stdout.readline()):
+                    self.assertTrue(line, "ended before the program was ready")
+                time.sleep(0.1)
+                tool.send_signal(number)
+                out, _ = tool.communicate(timeout=20)
+                self.assertEqual(tool.returncode, 9)
+                self.assertIn(f"stopping on {name}", out)
+                self.assertIn(f"stopping on {name}", read(self.out, "log.interphase"))
+
+    def test_quiet_prints_nothing_on_success(self):
+        done = self.succeed("bed", "--quiet", "--no-picture")
+        self.assertEqual((done.stdout, done.stderr), ("", ""))
+        self.assertIn("summary", read(self.out, "log.interphase"))
+
+    def test_the_engines_environment(self):
+        self.binary = self.program("interphase", "env")
+        self.succeed("bed")
+        seen = read(self.out, "log.interphase").splitlines()
+        self.assertIn("WM_PROJECT_DIR=/usr/share/openfoam", seen)
+        self.assertIn("OMP_NUM_THREADS=1", seen)
+        self.succeed("bed", "--overwrite", environment=self.environment(WM_PROJECT_DIR="/opt/foam"))
+        self.assertIn("WM_PROJECT_DIR=/opt/foam", read(self.out, "log.interphase").splitlines())
+
+    def test_works_from_elsewhere(self):
+        self.succeed(self.case, cwd="/")
+
+    def test_a_picture_that_fails_is_a_warning(self):
+        done = self.succeed("bed")  # the fake program writes no particles.h5
+        self.assertIn("warning: picture failed", done.stderr)
+        self.assertNotIn("picture", self.succeed("bed", "--overwrite", "--no-picture").stderr)
+
+
+class FoamFile(unittest.TestCase):
+    TEXT = '''/* a comment with key 1; */
+key   "a; string { with ( all";  // key 3;
+#include "other; {"
+div(phi,U)   Gauss linear;
+value uniform (0 0 2.19);
+nested { // { unbalanced in a comment
+    key 1;
+    deeper { key #calc #{ 1; } #}; key2 $key; }
+    "(U|k).*" { tolerance 1e-6; }
+    $macro;
+}
+list ( { key 5; } 3(1 2 3) );
+dimensions [0 1 -1 0 0 0 0];
+half #eval{ 0.5 * $key };
+nested { key 2; }
+'''
+
+    def test_values(self):
+        expected = {
+            "key": '"a; string { with ( all"', "div(phi,U)": "Gauss linear", "value": "uniform (0 0 2.19)",
+            "nested/key": "2", "nested/deeper/key": "#calc #{ 1; } #}", "nested/deeper/key2": "$key",
+            'nested/"(U|k).*"/tolerance': "1e-6", "nested/(U|k).*/tolerance": "1e-6",
+            "list": "( { key 5; } 3(1 2 3) )", "dimensions": "[0 1 -1 0 0 0 0]", "half": "#eval{ 0.5 * $key }",
+        }
+        for path, value in expected.items():
+            with self.subTest(path):
+                self.assertEqual(foam_file.value(self.TEXT, path), value)
+
+    def test_a_replacement_changes_its_value_only(self):
+        for path in ("key", "div(phi,U)", "nested/deeper/key", "nested/(U|k).*/tolerance", "half", "list"):
+            with self.subTest(path):
+                old = foam_file.value(self.TEXT, path)
+                self.assertEqual(foam_file.replaced(self.TEXT, path, "7"), self.TEXT.replace(old, "7"))
+
+    def test_the_later_of_two_counts_as_in_openfoam(self):
+        self.assertTrue(foam_file.replaced(self.TEXT, "nested/key", "7").endswith("nested { key 7; }\n"))
+
+    def test_values_that_are_none(self):
+        for value in ("", "1; other 2", "{ a 1; }", "(1 2", '"open', "1 // hidden", "}", "#{ a"):
+            with self.subTest(value), self.assertRaises(foam_file.FoamFileError):
+                foam_file.replaced(self.TEXT, "value", value)
+
+    def test_values_that_are(self):
+        for value in ("1", "(0 0 1)", "uniform (0 0 3.28)", '"a; b"', "$velocity", "#eval{ 1 + 1 }", "table ((0 1) (1 2))"):
+            with self.subTest(value):
+                self.assertEqual(foam_file.value(foam_file.replaced(self.TEXT, "value", value), "value"), value)
+
+    def test_missing_entries_name_the_level_and_the_nearest(self):
+        with self.assertRaisesRegex(foam_file.FoamFileError, "no entry 'keey2' in 'nested/deeper': did you mean 'key2'"):
+            foam_file.find(self.TEXT, "nested/deeper/keey2")
+        with self.assertRaisesRegex(foam_file.FoamFileError, "'value' is a value"):
+            foam_file.find(self.TEXT, "value/x")
+
+    def test_broken_files_name_the_line(self):
+        for text, message in (("a 1;\nb {\n", "line 2"), ("a 1;\n}\n", "line 2"), ("a 1\n", "line 1"), ("\n/* x", "line 2"),
+                              ("a (1;\n", "line 1"), ("a (1];\n", "line 1")):
+            with self.subTest(text), self.assertRaisesRegex(foam_file.FoamFileError, message):
+                foam_file.parse(text)
+
+
+class Cases(Bench):
+    def test_a_mistyped_case_is_guessed_and_all_are_listed(self):
+        write(os.path.join(self.root, "sscp1/system/couplingDict"), "")
+        with self.assertRaises(case_folder.CaseError) as caught:
+            case_folder.checked_case("/x/ssccp1", self.root)
+        self.assertRegex(str(caught.exception), r"did you mean '[^']*sscp1'\?")
+        self.assertRegex(str(caught.exception), r"cases here:\n  .*bed\n  .*sscp1")
+
+
+if __name__ == "__main__":
+    unittest.main()
