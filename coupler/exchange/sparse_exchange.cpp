@@ -26,12 +26,12 @@ void SparseExchange::plan(const std::vector<int>& send_counts)
     receive_ = parts(receive_counts, received_);
 }
 
-Scalars SparseExchange::transfer(const Scalars& out, int width, const std::vector<Part>& to,
-                                 const std::vector<Part>& from, std::size_t arriving) const
+void SparseExchange::transfer(const Scalars& out, int width, const std::vector<Part>& to,
+                              const std::vector<Part>& from, std::size_t arriving, Scalars& in) const
 {
     constexpr int tag = 7301;
     const auto w = static_cast<std::size_t>(width);
-    Scalars in(arriving * w);
+    in.resize(arriving * w);
     std::vector<MPI_Request> requests;
     requests.reserve(to.size() + from.size());
 
@@ -54,7 +54,6 @@ Scalars SparseExchange::transfer(const Scalars& out, int width, const std::vecto
         doubles_sent_ += part.count * w;
     }
     MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
-    return in;
 }
 
 }  // namespace interphase

@@ -22,11 +22,31 @@ public:
     std::size_t sent() const { return sent_; }
     std::size_t received() const { return received_; }
 
-    /// Sends `out` (records of `width` doubles, ordered by receiving rank); returns what arrived, ordered by sender.
-    Scalars forward(const Scalars& out, int width) const { return transfer(out, width, send_, receive_, received_); }
+    /// Sends `out` (records of `width` doubles, ordered by receiving rank); `in` gets what arrived, ordered by sender.
+    void forward(const Scalars& out, int width, Scalars& in) const
+    {
+        transfer(out, width, send_, receive_, received_, in);
+    }
 
-    /// The way back: one record for each that arrived, returned to where it came from, in the order of `out`.
-    Scalars backward(const Scalars& out, int width) const { return transfer(out, width, receive_, send_, sent_); }
+    /// The way back: one record for each that arrived, returned to where it came from, in the order of forward()'s `out`.
+    void backward(const Scalars& out, int width, Scalars& in) const
+    {
+        transfer(out, width, receive_, send_, sent_, in);
+    }
+
+    Scalars forward(const Scalars& out, int width) const
+    {
+        Scalars in;
+        forward(out, width, in);
+        return in;
+    }
+
+    Scalars backward(const Scalars& out, int width) const
+    {
+        Scalars in;
+        backward(out, width, in);
+        return in;
+    }
 
     /// Doubles that this rank has sent to others so far, over all exchanges of this object.
     std::size_t doubles_sent() const { return doubles_sent_; }
@@ -38,8 +58,8 @@ private:
         std::size_t count;
     };
 
-    Scalars transfer(const Scalars& out, int width, const std::vector<Part>& to, const std::vector<Part>& from,
-                     std::size_t arriving) const;
+    void transfer(const Scalars& out, int width, const std::vector<Part>& to, const std::vector<Part>& from,
+                  std::size_t arriving, Scalars& in) const;
 
     Communicator comm_;
     std::vector<Part> send_;

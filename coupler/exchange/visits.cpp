@@ -29,23 +29,23 @@ void Visits::plan(const std::vector<CellAddress>& homes)
     std::transform(arrived.begin(), arrived.end(), cells_.begin(), [](double c) { return static_cast<int>(c); });
 }
 
-Scalars Visits::bring(const Scalars& of_particles, int width) const
+void Visits::bring(const Scalars& of_particles, int width, Scalars& of_visitors)
 {
     const auto w = static_cast<std::size_t>(width);
-    Scalars out(order_.size() * w);
+    buffer_.resize(order_.size() * w);
     for (std::size_t place = 0; place < order_.size(); ++place)
-        std::copy_n(&of_particles[order_[place] * w], w, &out[place * w]);
-    return exchange_.forward(out, width);
+        std::copy_n(&of_particles[order_[place] * w], w, &buffer_[place * w]);
+    exchange_.forward(buffer_, width, of_visitors);
 }
 
-Scalars Visits::take_back(const Scalars& of_visitors, int width) const
+void Visits::take_back(const Scalars& of_visitors, int width, Scalars& of_particles)
 {
     const auto w = static_cast<std::size_t>(width);
-    const Scalars in = exchange_.backward(of_visitors, width);
-    Scalars result(particles_ * w, 0.0);
+    exchange_.backward(of_visitors, width, buffer_);
+    of_particles.resize(particles_ * w);
+    if (order_.size() < particles_) std::fill(of_particles.begin(), of_particles.end(), 0.0);
     for (std::size_t place = 0; place < order_.size(); ++place)
-        std::copy_n(&in[place * w], w, &result[order_[place] * w]);
-    return result;
+        std::copy_n(&buffer_[place * w], w, &of_particles[order_[place] * w]);
 }
 
 }  // namespace interphase

@@ -21,11 +21,11 @@ public:
     const std::vector<int>& cells() const { return cells_; }
     std::size_t visitors() const { return cells_.size(); }
 
-    /// Records of `width` doubles per particle, in this rank's order of particles, to the hosts: returns the visitors'.
-    Scalars bring(const Scalars& of_particles, int width) const;
+    /// Records of `width` doubles per particle, in this rank's order of particles, to the hosts' `of_visitors`.
+    void bring(const Scalars& of_particles, int width, Scalars& of_visitors);
 
-    /// Records of `width` doubles per visitor back to the particles; zero for those that stayed away.
-    Scalars take_back(const Scalars& of_visitors, int width) const;
+    /// Records of `width` doubles per visitor back to `of_particles`; zero for those that stayed away.
+    void take_back(const Scalars& of_visitors, int width, Scalars& of_particles);
 
     std::size_t doubles_sent() const { return exchange_.doubles_sent(); }
 
@@ -35,6 +35,7 @@ private:
     std::vector<std::size_t> order_;  ///< the particle of each record sent
     std::vector<int> cells_;
     std::size_t particles_ = 0;
+    Scalars buffer_;
 };
 
 }  // namespace interphase

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapping/cell_weights.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace interphase {
@@ -25,9 +26,12 @@ void CellWeights::spread_by_kernel(const Scalars& positions, const std::vector<i
         const auto own = static_cast<std::size_t>(own_cell[i]);
         for (const int* n = cells_.neighbours_begin(own); n != cells_.neighbours_end(own); ++n) {
             const auto c = static_cast<std::size_t>(*n);
-            const Vector hat = 1.0 - ((x - cells_.centre(c)).array() / cells_.reach(c).array()).abs();
-            if (hat.x() <= 0 || hat.y() <= 0 || hat.z() <= 0) continue;
-            const double weight = hat.prod() * cells_.volume(c);
+            const Vector& centre = cells_.centre(c);
+            const Vector& reach = cells_.reach(c);
+            const double dx = std::abs(x[0] - centre[0]), dy = std::abs(x[1] - centre[1]), dz = std::abs(x[2] - centre[2]);
+            if (dx >= reach[0] || dy >= reach[1] || dz >= reach[2]) continue;  // most of them
+            const double weight =
+                (1 - dx / reach[0]) * (1 - dy / reach[1]) * (1 - dz / reach[2]) * cells_.volume(c);
             cell_.push_back(*n);
             weight_.push_back(weight);
             total += weight;
@@ -53,18 +57,18 @@ void CellWeights::add_to_cells(const Scalars& of_particles, int width, Scalars& 
     }
 }
 
-Scalars CellWeights::at_particles(const Scalars& of_cells, int width) const
+void CellWeights::at_particles(const Scalars& of_cells, int width, Scalars& of_particles) const
 {
     const auto w = static_cast<std::size_t>(width);
-    Scalars result(particles() * w, 0.0);
+    of_particles.resize(particles() * w);
     for (std::size_t i = 0; i < particles(); ++i) {
-        double* q = &result[i * w];
+        double* q = &of_particles[i * w];
+        std::fill_n(q, w, 0.0);
         for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
             const double* cell = &of_cells[static_cast<std::size_t>(cell_[k]) * w];
             for (std::size_t m = 0; m < w; ++m) q[m] += weight_[k] * cell[m];
         }
     }
-    return result;
 }
 
 }  // namespace interphase

@@ -28,7 +28,7 @@ public:
     void add_to_cells(const Scalars& of_particles, int width, Scalars& of_cells) const;
 
     /// sum_c w_ic q_c for each particle [n x width].
-    Scalars at_particles(const Scalars& of_cells, int width) const;
+    void at_particles(const Scalars& of_cells, int width, Scalars& of_particles) const;
 
 private:
     const CellNeighbourhood& cells_;

@@ -41,13 +41,13 @@ Scalars Mapping::to_cells(const Scalars& of_particles, int width) const
     return content;
 }
 
-Scalars Mapping::to_particles(const Scalars& of_cells, int width) const
+void Mapping::to_particles(const Scalars& of_cells, int width, Scalars& of_particles) const
 {
     Scalars values(of_cells);
     values.resize(cells_.local_count() * static_cast<std::size_t>(width), 0.0);
     limit_.take_from_receivers(values, width);
     cells_.fill_halo(values, width);
-    return weights_.at_particles(values, width);
+    weights_.at_particles(values, width, of_particles);
 }
 
 }  // namespace interphase

@@ -24,7 +24,7 @@ public:
     Scalars to_cells(const Scalars& of_particles, int width) const;
 
     /// Values at the particles, sum_c w_ic q_c [n x width], of own-cell values. After solid_volume(). Collective.
-    Scalars to_particles(const Scalars& of_cells, int width) const;
+    void to_particles(const Scalars& of_cells, int width, Scalars& of_particles) const;
 
     long cells_relieved() const { return limit_.cells_relieved(); }
     std::size_t doubles_sent() const { return cells_.doubles_sent(); }

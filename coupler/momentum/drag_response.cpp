@@ -12,22 +12,17 @@ double relaxed_share(double x)
     return x < 1e-8 ? 1.0 - 0.5 * x : -std::expm1(-x) / x;
 }
 
-namespace {
-
-/// 1 - (1 - e^-x)/x, without the cancellation at small x.
-double carried_share(double x)
+double withheld_share(double x)
 {
     // the fourth term of the series is below 1e-16 relative at the switch
     return x < 1e-4 ? x * (0.5 - x * (1.0 / 6.0 - x / 24.0)) : 1.0 - relaxed_share(x);
 }
 
-}  // namespace
-
 AssumedDrag assume_drag(double mass, double drag_rate, double held, const Vector& acceleration, double dt)
 {
     const double x = drag_rate * dt / mass;
-    const double carried = carried_share(x);
-    return {drag_rate * (relaxed_share(x) + held * carried), (1.0 - held) * mass * dt * carried * acceleration};
+    const double withheld = withheld_share(x);
+    return {drag_rate * (relaxed_share(x) + held * withheld), (1.0 - held) * mass * dt * withheld * acceleration};
 }
 
 Vector free_change(double mass, double drag_rate, const Vector& slip, const Vector& acceleration, double dt)

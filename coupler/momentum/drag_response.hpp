@@ -14,6 +14,9 @@ namespace interphase {
 /// (1 - e^-x)/x, 1 at x = 0: the share of a constant force that changes the velocity of a particle with drag.
 double relaxed_share(double x);
 
+/// 1 - relaxed_share(x), accurate at small x.
+double withheld_share(double x);
+
 /// What the gas solve assumes of a particle's drag impulse over a step: J = kappa dt (u - v) - carried.
 struct AssumedDrag {
     double kappa;    ///< [kg/s]

@@ -1,23 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "momentum/particle_coupling.hpp"
+#include <type_traits>
+
+#include "momentum/drag_response.hpp"
 
 namespace interphase {
 
-/// The force [N] that replaces `other` (all other forces on the particle, N) during one solid substep dt [s], so that the
-/// integrator's dv = f dt / m is the exact solution of m dv/dt = k (u - v) + F_p + other for constant other: stable for any
-/// k dt / m. Books the drag impulse in `state`.
-inline Vector force_with_fluid(ParticleCoupling& state, const Vector& other, const Vector& velocity, double mass,
-                               double dt)
-{
-    const Vector steady = other + ParticleCoupling::vector(state.steady_force);
-    const double k = state.drag_rate;
-    const Vector slip = ParticleCoupling::vector(state.gas_velocity) - velocity;
-    const Vector total = relaxed_share(k * dt / mass) * (k * slip + steady);
-    const Vector drag_impulse = (total - steady) * dt;
-    for (int axis = 0; axis < 3; ++axis) state.drag_impulse_taken[axis] += drag_impulse[axis];
-    return total;
-}
+/// The fluid force on one particle during the substeps of a gas step. With drag rate k, gas velocity u, pressure-gradient
+/// force F_p and the sum F of all other forces held over a substep dt_s, the exact solution of
+///     m dv/dt = k (u - v) + F_p + F
+/// changes the velocity by f dt_s / m with f = s (k (u - v) + F_p + F), s = relaxed_share(k dt_s / m): stable for any
+/// k dt_s / m.
+///
+/// It is read in every substep, where memory traffic is what it costs; hence single precision. That takes nothing from the
+/// balances: what was applied is booked in double precision, and goes back to the gas as it was.
+struct FluidForce {
+    float constant[3] = {0, 0, 0};  ///< s (k u + F_p) [N]
+    float rate = 0;                 ///< s k [kg/s]
+    float withheld = 0;             ///< 1 - s
+
+    FluidForce() = default;
+    FluidForce(double mass, double drag_rate, const Vector& gas_velocity, const Vector& pressure_force, double dt_s)
+    {
+        const double share = relaxed_share(drag_rate * dt_s / mass);
+        rate = static_cast<float>(share * drag_rate);
+        withheld = static_cast<float>(withheld_share(drag_rate * dt_s / mass));
+        for (int axis = 0; axis < 3; ++axis)
+            constant[axis] = static_cast<float>(share * (drag_rate * gas_velocity[axis] + pressure_force[axis]));
+    }
+
+    /// Replaces F in `force` by f, and adds the difference to `booked` [N].
+    void apply(double* force, const double* velocity, double* booked) const
+    {
+        for (int axis = 0; axis < 3; ++axis) {
+            const double fluid = constant[axis] - rate * velocity[axis] - withheld * force[axis];
+            booked[axis] += fluid;
+            force[axis] += fluid;
+        }
+    }
+};
+
+static_assert(std::is_trivially_copyable_v<FluidForce>);
 
 }  // namespace interphase

@@ -101,7 +101,7 @@ void CoupledRun::describe_run()
     const long count = solids_->total_count();
     const std::optional<double> contact = solids_->contact_duration();
     report_.head(
-        {{"interphase", "LIGGGHTS " + solids_->version() + ", OpenFOAM " + case_.version()},
+        {{"interphase", solids_->version() + ", OpenFOAM " + case_.version()},
          {"case", case_.name()},
          {"method", name_of(settings_.method) + ", weight " + text(settings_.weight) + ", " + std::to_string(count) + " tracked"},
          {"gas", std::string(gas_description(settings_)) + (gas_ ? ", drag " + settings_.drag_law : "")},
@@ -119,7 +119,7 @@ void CoupledRun::describe_run()
     meta.describe("/meta", "solid_step", clock_.solid_step());
     meta.describe("/meta", "gas_step", gas_step_);
     meta.describe("/meta", "drag_law", settings_.drag_law);
-    meta.describe("/meta", "versions", "interphase 0.1, LIGGGHTS " + solids_->version() + ", OpenFOAM " + case_.version());
+    meta.describe("/meta", "versions", "interphase 0.1, " + solids_->version() + ", OpenFOAM " + case_.version());
     if (!gas_) return;
     meta.describe_box("/meta", "domain", gas_->bounds());
     const Vector g = gas_->gravity();

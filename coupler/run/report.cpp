@@ -48,8 +48,8 @@ bool Report::progress_due() const { return now() - last_line_ > seconds_between_
 
 void Report::progress(double time, const Observation& seen)
 {
-    if (!prints_) return;
     last_line_ = now();
+    if (!prints_) return;
     const double done = time - start_time_, wall = wall_seconds();
     const double left = done > 0 ? wall * (end_time_ - time) / done : 0;
     std::printf("t = %-9.4g s  %3.0f %%  %9.3g s/s  ETA %-8s voidage %.3f..%.3f  Co %.2f  particles %ld\n", time,

@@ -32,6 +32,12 @@ Vector vector_at(const Scalars& flat, std::size_t start) { return {flat[start], 
 
 void put(Scalars& flat, std::size_t start, const Vector& v) { std::copy_n(v.data(), 3, &flat[start]); }
 
+/// Summed blockwise, so that round-off does not grow with the number of terms.
+double sum(const Scalars& terms)
+{
+    return Eigen::Map<const Eigen::VectorXd>(terms.data(), static_cast<Eigen::Index>(terms.size())).sum();
+}
+
 double sphere_volume(double radius) { return 4.0 / 3.0 * M_PI * radius * radius * radius; }
 
 }  // namespace
@@ -58,13 +64,14 @@ CouplingStep::CouplingStep(const Communicator& comm, const Settings& settings, G
 
 void CouplingStep::advance(double dt, int substeps)
 {
+    solid_step_ = dt / substeps;
     bring_particles_to_their_cells();
     map_voidage();
     map_drag(dt);
     solve_gas(dt);
     return_gas_to_particles(dt);
     move_particles(substeps);
-    book(dt);
+    book();
 }
 
 void CouplingStep::bring_particles_to_their_cells()
@@ -82,25 +89,24 @@ void CouplingStep::bring_particles_to_their_cells()
 
     const double per_real = 1.0 / std::cbrt(settings_.weight);
     const std::size_t width = settings_.two_way ? two_way_record : one_way_record;
-    Scalars records(n * width);
+    records_.resize(n * width);
     for (std::size_t i = 0; i < n; ++i) {
         const auto column = static_cast<Eigen::Index>(i);
         const std::size_t r = i * width;
-        put(records, r + position, particles.position.col(column));
-        put(records, r + velocity, particles.velocity.col(column));
-        records[r + diameter] = 2 * particles.radius[column] * per_real;
-        records[r + volume] = sphere_volume(particles.radius[column]);
+        put(records_, r + position, particles.position.col(column));
+        put(records_, r + velocity, particles.velocity.col(column));
+        records_[r + diameter] = 2 * particles.radius[column] * per_real;
+        records_[r + volume] = sphere_volume(particles.radius[column]);
         if (!settings_.two_way) continue;
         const ParticleCoupling& own = particles.coupling[i];
         const double m = particles.mass[column];
-        records[r + mass] = m;
-        records[r + held] = held_by_contacts(
-            particles.velocity.col(column) - ParticleCoupling::vector(own.start_velocity),
-            ParticleCoupling::vector(own.free_change));
-        put(records, r + acceleration, solids_.gravity() + ParticleCoupling::vector(own.steady_force) / m);
-        put(records, r + pending, own.pending());
+        records_[r + mass] = m;
+        records_[r + held] = held_by_contacts(
+            particles.velocity.col(column) - to_vector(own.start_velocity), to_vector(own.free_change));
+        put(records_, r + acceleration, solids_.gravity() + to_vector(own.pressure_force) / m);
+        put(records_, r + pending, solid_step_ * particles.booked_force(i) - to_vector(own.assumed_impulse));
     }
-    visitors_ = visits_.bring(records, static_cast<int>(width));
+    visits_.bring(records_, static_cast<int>(width), visitors_);
 }
 
 void CouplingStep::refuse_particles_outside(const ParticleView& particles) const
@@ -122,22 +128,23 @@ void CouplingStep::map_voidage()
 {
     stopwatch_.switch_to(Phase::mapping);
     const std::size_t width = settings_.two_way ? two_way_record : one_way_record;
-    Scalars positions(3 * visits_.visitors()), volumes(visits_.visitors());
+    positions_.resize(3 * visits_.visitors());
+    volumes_.resize(visits_.visitors());
     for (std::size_t i = 0; i < visits_.visitors(); ++i) {
-        std::copy_n(&visitors_[i * width + position], 3, &positions[3 * i]);
-        volumes[i] = visitors_[i * width + volume];
+        std::copy_n(&visitors_[i * width + position], 3, &positions_[3 * i]);
+        volumes_[i] = visitors_[i * width + volume];
     }
-    mapping_.place(positions, visits_.cells());
+    mapping_.place(positions_, visits_.cells());
     for (const CellAddress& home : homes_) outside_ += !home.known();
     if (!settings_.two_way) return;
 
-    solid_volume_ = mapping_.solid_volume(volumes);
+    solid_volume_ = mapping_.solid_volume(volumes_);
     relieved_ += mapping_.cells_relieved();
     for (std::size_t c = 0; c < voidage_.size(); ++c) voidage_[c] = 1.0 - solid_volume_[c] / gas_.mesh().volume[c];
 
     transactions_ = {};
-    for (const double v : solid_volume_) transactions_.solid_volume_in_cells += v;
-    for (const double v : volumes) transactions_.solid_volume_of_particles += v;
+    transactions_.solid_volume_in_cells = sum(solid_volume_);
+    transactions_.solid_volume_of_particles = sum(volumes_);
 }
 
 void CouplingStep::map_drag(double dt)
@@ -149,12 +156,12 @@ void CouplingStep::map_drag(double dt)
         seen_by_cells[4 * c] = voidage_[c];
         std::copy_n(&gas_velocity[3 * c], 3, &seen_by_cells[4 * c + 1]);
     }
-    const Scalars seen = mapping_.to_particles(seen_by_cells, 4);
+    mapping_.to_particles(seen_by_cells, 4, seen_);
 
     drag_rates_.resize(visits_.visitors());
     for (std::size_t i = 0; i < visits_.visitors(); ++i) {
-        const double eps = seen[4 * i];
-        const double slip = (vector_at(seen, 4 * i + 1) - vector_at(visitors_, i * width + velocity)).norm();
+        const double eps = seen_[4 * i];
+        const double slip = (vector_at(seen_, 4 * i + 1) - vector_at(visitors_, i * width + velocity)).norm();
         const double d = visitors_[i * width + diameter];
         const double reynolds = eps * gas_.density() * slip * d / gas_.viscosity();
         beyond_range_ += eps < law_.voidage_min || eps > law_.voidage_max || reynolds > law_.reynolds_max;
@@ -164,17 +171,17 @@ void CouplingStep::map_drag(double dt)
     if (!settings_.two_way) return;
 
     // kappa, and the part of the force that does not wait for the gas solve: kappa v + carried / dt - pending / dt
-    Scalars demands(4 * visits_.visitors());
+    demands_.resize(4 * visits_.visitors());
     for (std::size_t i = 0; i < visits_.visitors(); ++i) {
         const double* record = &visitors_[i * width];
         const AssumedDrag drag = assume_drag(record[mass], drag_rates_[i], record[held],
                                              vector_at(visitors_, i * width + acceleration), dt);
-        demands[4 * i] = drag.kappa;
-        put(demands, 4 * i + 1,
+        demands_[4 * i] = drag.kappa;
+        put(demands_, 4 * i + 1,
             drag.kappa * vector_at(visitors_, i * width + velocity) +
                 (drag.carried - vector_at(visitors_, i * width + pending)) / dt);
     }
-    const Scalars contents = mapping_.to_cells(demands, 4);
+    const Scalars contents = mapping_.to_cells(demands_, 4);
     for (std::size_t c = 0; c < voidage_.size(); ++c) {
         const double per_volume = 1.0 / gas_.mesh().volume[c];
         exchange_rate_[c] = contents[4 * c] * per_volume;
@@ -208,15 +215,15 @@ void CouplingStep::return_gas_to_particles(double dt)
         std::copy_n(&gas_velocity[3 * c], 3, &seen_by_cells[6 * c]);
         std::copy_n(&gradient[3 * c], 3, &seen_by_cells[6 * c + 3]);
     }
-    const Scalars seen = mapping_.to_particles(seen_by_cells, 6);
-    Scalars answers(homeward_record * visits_.visitors());
+    mapping_.to_particles(seen_by_cells, 6, seen_);
+    answers_.resize(homeward_record * visits_.visitors());
     for (std::size_t i = 0; i < visits_.visitors(); ++i) {
-        answers[homeward_record * i] = drag_rates_[i];
-        std::copy_n(&seen[6 * i], 6, &answers[homeward_record * i + 1]);
+        answers_[homeward_record * i] = drag_rates_[i];
+        std::copy_n(&seen_[6 * i], 6, &answers_[homeward_record * i + 1]);
     }
 
     stopwatch_.switch_to(Phase::exchange);
-    const Scalars fluid = visits_.take_back(answers, homeward_record);
+    visits_.take_back(answers_, homeward_record, fluid_);
     const ParticleView particles = solids_.particles();
     assumed_at_start_.setZero();
     for (std::size_t i = 0; i < particles.size(); ++i) {
@@ -224,24 +231,22 @@ void CouplingStep::return_gas_to_particles(double dt)
         const std::size_t f = homeward_record * i;
         const double m = particles.mass[column];
         const Vector v = particles.velocity.col(column);
-        const Vector u = vector_at(fluid, f + 1);
+        const Vector u = vector_at(fluid_, f + 1);
         ParticleCoupling& own = particles.coupling[i];
 
-        const double was_held = held_by_contacts(v - ParticleCoupling::vector(own.start_velocity),
-                                                 ParticleCoupling::vector(own.free_change));
-        const Vector old_acceleration = solids_.gravity() + ParticleCoupling::vector(own.steady_force) / m;
-        const Vector assumed = assume_drag(m, fluid[f], was_held, old_acceleration, dt).impulse(u, v, dt);
-        const Vector steady = -sphere_volume(particles.radius[column]) * vector_at(fluid, f + 4);
+        const double was_held = held_by_contacts(v - to_vector(own.start_velocity), to_vector(own.free_change));
+        const Vector old_acceleration = solids_.gravity() + to_vector(own.pressure_force) / m;
+        const Vector pressure_force = -sphere_volume(particles.radius[column]) * vector_at(fluid_, f + 4);
+        const Vector assumed = assume_drag(m, fluid_[f], was_held, old_acceleration, dt).impulse(u, v, dt) +
+                               dt * pressure_force;
 
-        own.drag_rate = fluid[f];
-        ParticleCoupling::set(own.gas_velocity, u);
-        ParticleCoupling::set(own.steady_force, steady);
-        ParticleCoupling::set(own.drag_impulse_taken, Vector::Zero());
-        ParticleCoupling::set(own.drag_impulse_assumed, settings_.two_way ? assumed : Vector::Zero());
-        ParticleCoupling::set(own.start_velocity, v);
-        ParticleCoupling::set(own.free_change,
-                              free_change(m, fluid[f], u - v, solids_.gravity() + steady / m, dt));
-        assumed_at_start_ += assumed + dt * steady;
+        particles.fluid[i] = FluidForce(m, fluid_[f], u, pressure_force, solid_step_);
+        std::fill_n(particles.booked + 3 * i, 3, 0.0);
+        set(own.pressure_force, pressure_force);
+        set(own.assumed_impulse, assumed);
+        set(own.start_velocity, v);
+        set(own.free_change, free_change(m, fluid_[f], u - v, solids_.gravity() + pressure_force / m, dt));
+        assumed_at_start_ += assumed;
     }
 }
 
@@ -255,7 +260,7 @@ void CouplingStep::move_particles(int substeps)
     comm_.barrier();
 }
 
-void CouplingStep::book(double dt)
+void CouplingStep::book()
 {
     stopwatch_.switch_to(Phase::exchange);
     const ParticleView particles = solids_.particles();
@@ -273,11 +278,11 @@ void CouplingStep::book(double dt)
     if (!settings_.two_way) return;
 
     for (std::size_t i = 0; i < particles.size(); ++i) {
-        const ParticleCoupling& own = particles.coupling[i];
-        const Vector steady = dt * ParticleCoupling::vector(own.steady_force);
-        transactions_.taken_by_particles += ParticleCoupling::vector(own.drag_impulse_taken) + steady;
-        transactions_.assumed_of_particles += ParticleCoupling::vector(own.drag_impulse_assumed) + steady;
-        transactions_.pending += own.pending();
+        const Vector taken = solid_step_ * particles.booked_force(i);
+        const Vector assumed = to_vector(particles.coupling[i].assumed_impulse);
+        transactions_.taken_by_particles += taken;
+        transactions_.assumed_of_particles += assumed;
+        transactions_.pending += taken - assumed;
     }
     ledger_.book(transactions_, assumed_at_start_, fewer);
 }

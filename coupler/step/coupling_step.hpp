@@ -48,7 +48,7 @@ private:
     void solve_gas(double dt);
     void return_gas_to_particles(double dt);
     void move_particles(int substeps);
-    void book(double dt);
+    void book();
 
     void refuse_particles_outside(const ParticleView& particles) const;
     std::optional<std::string> trouble(const ParticleView& particles) const;
@@ -66,7 +66,12 @@ private:
     Ledger ledger_;
 
     std::vector<CellAddress> homes_;
-    Scalars visitors_;       ///< one record a visitor, as packed
+    Scalars records_;        ///< one a particle, as packed
+    Scalars visitors_;       ///< one a visitor, likewise
+    Scalars seen_;           ///< gas values at the visitors
+    Scalars answers_;        ///< one a visitor
+    Scalars fluid_;          ///< one a particle
+    Scalars positions_, volumes_, demands_;  ///< of the visitors
     Scalars drag_rates_;     ///< of the visitors [kg/s]
     Scalars voidage_;        ///< own cells
     Scalars solid_volume_;   ///< own cells [m3]
@@ -74,6 +79,7 @@ private:
     Scalars exchange_source_;  ///< own cells [n x 3, N/m3]
     Transactions transactions_;
     Vector assumed_at_start_ = Vector::Zero();
+    double solid_step_ = 0;
     long outside_ = 0;
     long relieved_ = 0;
     long beyond_range_ = 0;

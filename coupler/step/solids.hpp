@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/vector.hpp"
+#include "momentum/fluid_force.hpp"
 #include "momentum/particle_coupling.hpp"
 
 namespace interphase {
@@ -15,12 +16,15 @@ struct ParticleView {
     ScalarsView radius;
     ScalarsView mass;
     const int* id;
+    FluidForce* fluid;           ///< null in a run without gas, as the next two
+    double* booked;              ///< sum of the fluid force over the substeps since the gas solve [n x 3, N]
     ParticleCoupling* coupling;
 
+    Vector booked_force(std::size_t i) const { return Eigen::Map<const Vector>(booked + 3 * i); }
     std::size_t size() const { return static_cast<std::size_t>(position.cols()); }
 };
 
-/// What moves the particles. Between gas steps it applies force_with_fluid() in every substep.
+/// What moves the particles. In every substep it lets each FluidForce act on the sum of all other forces.
 class Solids {
 public:
     virtual ~Solids() = default;

@@ -3,7 +3,8 @@
 """Who may include whom, checked on every source file.
 
 Engine headers appear only under coupler/engines/<that engine>/ and in the plugins. Inside coupler/, includes point
-one way along ORDER, the list of the coupling step; the engines come last and do not know each other.
+one way along ORDER, the list of the coupling step; the engines come after it and do not know each other; run/ and
+the main program put it all together, and nothing includes them.
 """
 
 import os
@@ -17,6 +18,7 @@ COUPLER = SOURCE / "coupler"
 # A folder may include itself and the folders before it.
 ORDER = ["base", "drag", "settings", "exchange", "mapping", "momentum", "clock", "records", "step"]
 ENGINES = ["openfoam", "liggghts"]
+WHOLE = "run"
 
 # LIGGGHTS's headers have plain names (atom.h, fix.h): all that LIGGGHTS installs are known by this folder's listing,
 # the ones the coupler would use by name where LIGGGHTS is installed elsewhere.
@@ -65,6 +67,8 @@ def violations(path, text):
         allowed = set(ORDER[:ORDER.index(folder) + 1])
     elif folder in [f"engines/{engine}" for engine in ENGINES]:
         allowed = set(ORDER) | {folder}
+    elif folder == WHOLE:
+        allowed = None
     elif folder is not None:
         return [f"coupler/{path}: folder '{folder}' has no place in ORDER of {pathlib.Path(__file__).name}; give it one"]
 
@@ -108,6 +112,12 @@ class TheCheckItself(unittest.TestCase):
         self.assertTrue(violations("base/x.hpp", f'#include "{header}"'))
         self.assertFalse(violations("mapping/x.hpp", f'#include "{header}"'))
         self.assertFalse(violations("interphase.cpp", f'#include "{header}"'))
+
+    def test_finds_an_include_of_what_puts_it_together(self):
+        header = next(file.relative_to(COUPLER).as_posix() for file in sources(COUPLER / WHOLE) if file.suffix == ".hpp")
+        self.assertTrue(violations("step/x.cpp", f'#include "{header}"'))
+        self.assertTrue(violations("engines/openfoam/x.cpp", f'#include "{header}"'))
+        self.assertFalse(violations("run/x.cpp", f'#include "{header}"'))
 
     def test_finds_an_unknown_folder_and_an_unknown_header(self):
         self.assertTrue(violations("surprise/x.cpp", ""))

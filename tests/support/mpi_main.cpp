@@ -4,6 +4,7 @@
 #include <mpi.h>
 
 #include <cstdio>
+#include <string>
 
 namespace {
 
@@ -13,19 +14,24 @@ class FailuresOfRank : public testing::EmptyTestEventListener
 public:
     explicit FailuresOfRank(int rank) : rank_(rank) {}
 
+    // Kept from here: GoogleTest holds a lock while it reports a failure, so the test cannot be asked for then.
+    void OnTestStart(const testing::TestInfo& test) override
+    {
+        test_ = std::string(test.test_suite_name()) + "." + test.name();
+    }
+
     void OnTestPartResult(const testing::TestPartResult& result) override
     {
         if (!result.failed())
             return;
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        std::fprintf(stderr, "[rank %d] %s.%s failed at %s:%d\n%s\n", rank_, test ? test->test_suite_name() : "(set-up)",
-                     test ? test->name() : "", result.file_name() ? result.file_name() : "(unknown file)",
-                     result.line_number(), result.message());
+        std::fprintf(stderr, "[rank %d] %s failed at %s:%d\n%s\n", rank_, test_.c_str(),
+                     result.file_name() ? result.file_name() : "(unknown file)", result.line_number(), result.message());
         std::fflush(stderr);
     }
 
 private:
     int rank_;
+    std::string test_;
 };
 
 }  // namespace

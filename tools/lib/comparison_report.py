@@ -15,13 +15,15 @@ def of_difference(verdict, a, b, difference, tolerances):
     quantities = []
     for q in difference.quantities.values():
         quantities.append({
-            "name": q.name, "unit": q.unit, "largest": q.size, "relative": q.relative, "rms": q.rms, "particle": q.particle,
-            "at": q.at, "values": q.values, "first": q.first, "differing": q.differing, "compared": q.compared,
-            "periodic_images": q.images, "nan_on_both_sides": q.unknown, "allowed": q.allowed(tolerances), "within": q.name not in beyond,
+            "name": q.name, "unit": q.unit, "largest": q.size, "relative": q.relative, "rms": q.rms,
+            "particle": q.particle, "at": q.at, "values": q.values,
+            "first": q.first, "first_particle": q.first_particle, "differing": q.differing, "compared": q.compared,
+            "periodic_images": q.images, "nan_on_both_sides": q.unknown,
+            "allowed": q.allowed(tolerances), "within": q.name not in beyond,
         })
     return {
-        "verdict": verdict, "a": a.describe(), "b": b.describe(), "tolerance": bool(tolerances), "common_times": difference.times,
-        "first_time": difference.first_time, "last_time": difference.last_time,
+        "verdict": verdict, "a": a.describe(), "b": b.describe(), "tolerance": bool(tolerances),
+        "common_times": difference.times, "first_time": difference.first_time, "last_time": difference.last_time,
         "times_only_in": _sides(difference.only_times), "particles_only_in": _sides(difference.only_ids),
         "quantities_only_in": {side: sorted(names) for side, names in zip("AB", difference.only_columns)},
         "quantities": quantities, "history": difference.history, "notes": difference.notes,
@@ -42,7 +44,10 @@ def of_statistics(verdict, a, b, comparisons, notes, confidence):
         if c.difference is not None:
             row.update(dataclasses.asdict(c.difference) | {"seen_from": c.seen_from})
         rows.append(row)
-    return {"verdict": verdict, "a": a.describe(), "b": b.describe(), "confidence": confidence, "statistics": rows, "notes": notes}
+    return {
+        "verdict": verdict, "a": a.describe(), "b": b.describe(), "confidence": confidence, "statistics": rows,
+        "notes": notes,
+    }
 
 
 def plain(value):
@@ -69,13 +74,14 @@ def text(report):
 def _difference(report):
     lines = []
     if report["common_times"]:
-        lines.append(f"{report['common_times']} common times of particles: {report['first_time']} to {report['last_time']}")
+        span = f"{report['first_time']} to {report['last_time']}"
+        lines.append(f"{report['common_times']} common times of particles: {span}")
     for what, key in (("times", "times_only_in"), ("particles", "particles_only_in")):
         for side, one in report[key].items():
             if one["count"]:
                 more = " ..." if one["count"] > len(one["examples"]) and what == "times" else ""
-                total = f"{one['count']} {what}" if what == "times" else f"{one['count']} particles, summed over the common times"
-                lines.append(f"only in {side}: {total}: {'; '.join(one['examples'])}{more}")
+                summed = "" if what == "times" else ", summed over the common times"
+                lines.append(f"only in {side}: {one['count']} {what}{summed}: {'; '.join(one['examples'])}{more}")
     for side, names in report["quantities_only_in"].items():
         if names:
             lines.append(f"only in {side}, not compared: {', '.join(names)}")
@@ -85,19 +91,24 @@ def _difference(report):
         lines.append(f"bit-equal: {', '.join(equal)}")
     for q in report["quantities"]:
         if q["periodic_images"]:
-            lines.append(f"{q['name']}: {q['periodic_images']} of {q['compared']} are a periodic box length apart, compared by nearest image")
+            moved = f"{q['periodic_images']} of {q['compared']}"
+            lines.append(f"{q['name']}: {moved} are a periodic box length apart, compared by nearest image")
         if q["nan_on_both_sides"]:
             lines.append(f"{q['name']}: NaN on both sides, taken as equal: {q['nan_on_both_sides']} of {q['compared']}")
     if differing:
         table = [["largest difference", "", "relative", "particle", "at", "differing"]]
         for q in differing:
-            table.append([f"{q['name']}{' [' + q['unit'] + ']' if q['unit'] else ''}", f"{q['largest']:.6g}", f"{q['relative']:.3g}",
-                          "-" if q["particle"] is None else str(q["particle"]), q["at"], f"{q['differing']} of {q['compared']}"])
+            name = f"{q['name']} [{q['unit']}]" if q["unit"] else q["name"]
+            particle = "-" if q["particle"] is None else str(q["particle"])
+            row = [name, f"{q['largest']:.6g}", f"{q['relative']:.3g}", particle, q["at"]]
+            table.append([*row, f"{q['differing']} of {q['compared']}"])
             if report["tolerance"]:
                 table[-1].append(f"{'within' if q['within'] else 'beyond'} {q['allowed']:.3g}")
         lines += _table(table)
         for q in differing:
-            lines.append(f"{q['name']}: A {_shown(q['values'][0])}, B {_shown(q['values'][1])}; differs first at {q['first']}")
+            first = q["first"] + ("" if q["first_particle"] is None else f" (particle {q['first_particle']})")
+            a, b = map(_shown, q["values"])
+            lines.append(f"{q['name']}: A {a}, B {b}; differs first at {first}")
     return lines
 
 
@@ -118,8 +129,9 @@ def _statistics(report):
     lines = _table(table)
     counts = {v: sum(row["verdict"] == v for row in rows) for v in (SAME, DIFFERENT)}
     left = len(rows) - sum(counts.values())
-    lines.append(f"{counts[SAME]} {SAME}, {counts[DIFFERENT]} {DIFFERENT} at {100 * report['confidence']:g} % confidence for all together"
-                 + (f"; {left} not judged" if left else ""))
+    confidence = f"{100 * report['confidence']:g} % confidence for all together"
+    unjudged = f"; {left} not judged" if left else ""
+    lines.append(f"{counts[SAME]} {SAME}, {counts[DIFFERENT]} {DIFFERENT} at {confidence}{unjudged}")
     lines.append("means are given with their standard error, autocorrelation taken in")
     return lines
 

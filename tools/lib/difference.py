@@ -16,6 +16,7 @@ from lib.particle_states import UNITS
 class Largest:
     """What is known of one quantity's differences, b - a; particle is None for a series.
 
+    `first` is the first moment that differs, `first_particle` the lowest id that does so then.
     `size` is the length of the difference vector, or the absolute difference; `rms` of the quantity is over both
     sides and all that was compared, NaN and infinities apart. A NaN on one side alone makes `size` infinite.
     """
@@ -30,6 +31,7 @@ class Largest:
     at: str = ""
     values: tuple = ()
     first: str = ""
+    first_particle: Optional[int] = None
     squares: float = 0.0
     finite: int = 0
 
@@ -52,8 +54,13 @@ class Largest:
         return max(absolute, relative * self.rms)
 
     def add(self, a, b, ids, at, box=None):
-        """Take in values a, b [n] or [n,3] of the particles `ids` (or None) at the moment `at`, a label or a list."""
+        """Take in values a, b [n] or [n,3] of the particles `ids` (or None) at the moment `at`, a label or a list.
+
+        Returns the largest difference among them.
+        """
         self.compared += len(a)
+        if not len(a):
+            return 0.0
         for values in (a, b):
             flat = values.ravel()
             total = float(flat @ flat)
@@ -84,6 +91,7 @@ class Largest:
         label = (lambda row: at) if isinstance(at, str) else (lambda row: at[row])
         if not self.differing:
             self.first = label(rows[0])
+            self.first_particle = None if ids is None else int(ids[rows[0]])
         self.differing += len(rows)
         place = int(numpy.argmax(sizes))
         if sizes[place] > self.size or not self.at:
@@ -137,7 +145,11 @@ class OneSided:
 
 @dataclass
 class Difference:
-    """The outcome of a comparison; `history` has one row per common time: label and largest difference by quantity."""
+    """The outcome of a comparison.
+
+    `common` names the quantities of both sides, compared or not; `history` has one row per common time: its label and
+    the largest difference by quantity. Pairs are of sides A and B.
+    """
 
     quantities: dict = field(default_factory=dict)
     times: int = 0
@@ -145,6 +157,7 @@ class Difference:
     last_time: str = ""
     only_times: tuple = field(default_factory=lambda: (OneSided(), OneSided()))
     only_ids: tuple = field(default_factory=lambda: (OneSided(), OneSided()))
+    common: set = field(default_factory=set)
     only_columns: tuple = field(default_factory=lambda: (set(), set()))
     history: list = field(default_factory=list)
     notes: list = field(default_factory=list)
@@ -206,6 +219,7 @@ def _compare_frame(a, b, at, difference, only):
                 one_sided.add(f"{shown} at {at}", len(lone))
     for side, own, other in ((0, a, b), (1, b, a)):
         difference.only_columns[side].update(own.quantities.keys() - other.quantities.keys())
+    difference.common.update(a.quantities.keys() & b.quantities.keys())
     row = {}
     for name in a.quantities:
         if name in b.quantities and wanted(name, only):
@@ -232,13 +246,14 @@ def _no_common_time(a, b, ranges, matching, start, end):
 
 
 def compare_series(a, b, matching, difference, start=None, end=None, only=()):
-    """Take the series of two runs' results.h5, each (time, {name: values}), into `difference`."""
+    """Take the series of two runs' results.h5, each (time, {name: values}), into `difference`.
+
+    Returns how many times both have, and how many only a and only b.
+    """
     (times_a, series_a), (times_b, series_b) = a, b
 
     def numbered(times):
-        inside = (i for i, t in enumerate(times)
-                  if (start is None or t >= start - matching.slack(t)) and (end is None or t <= end + matching.slack(t)))
-        return ((i, float(times[i])) for i in inside)
+        return ((i, float(t)) for i, t in enumerate(times) if matching.inside(t, start, end))
 
     rows = [[], []]
     lone = [0, 0]
@@ -252,6 +267,7 @@ def compare_series(a, b, matching, difference, start=None, end=None, only=()):
         difference.notes.append(f"series: {lone[0]} times only in A, {lone[1]} only in B, {len(rows[0])} in both")
     for side, own, other in ((0, series_a, series_b), (1, series_b, series_a)):
         difference.only_columns[side].update(f"series/{name}" for name in own.keys() - other.keys())
+    difference.common.update(f"series/{name}" for name in series_a.keys() & series_b.keys())
     labels = [f"t = {times_a[i]:.9g} s" for i in rows[0]]
     for name in series_a:
         if name in series_b and labels and wanted(f"series/{name}", only):

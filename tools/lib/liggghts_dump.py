@@ -24,31 +24,37 @@ VECTORS = {
 }
 # Wrapped, unwrapped, and both in fractions of the box.
 POSITIONS = (("x", "y", "z"), ("xu", "yu", "zu"), ("xs", "ys", "zs"), ("xsu", "ysu", "zsu"))
+GZIP = b"\x1f\x8b"
+DAMAGE = (OSError, EOFError, zlib.error)
 
 
 def open_text(path):
     """A binary stream of a dump's text, unpacked where it is gzip's."""
     try:
-        stream = open(path, "rb", buffering=1 << 20)
-        if stream.peek(2)[:2] == b"\x1f\x8b":
-            return io.BufferedReader(gzip.GzipFile(fileobj=stream), 1 << 20)
-        return stream
+        with open(path, "rb") as stream:
+            packed = stream.read(2) == GZIP
+        return io.BufferedReader(gzip.open(path), 1 << 20) if packed else open(path, "rb", buffering=1 << 20)
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror or error}") from None
 
 
 def looks_like_dump(path):
+    """True if the text begins as a dump's; it may be damaged further on."""
     try:
-        with open_text(path) as stream:
-            return stream.read(5) == b"ITEM:"
-    except (InputError, OSError, EOFError, zlib.error):
+        with open(path, "rb") as stream:
+            start = stream.read(4096)
+        if start[:2] == GZIP:
+            start = zlib.decompressobj(zlib.MAX_WBITS | 16).decompress(start, 5)
+        return start[:5] == b"ITEM:"
+    except (OSError, zlib.error):
         return False
 
 
 class Dump:
     """Dump files as one series of frames with ascending time step.
 
-    `digits` is the most significant digits seen in the first frame that was loaded, None before.
+    `digits` is the most significant digits seen in a number so far, None before the first frame was loaded;
+    `text_columns` are the columns that hold no numbers.
     """
 
     kind = "LIGGGHTS dump"
@@ -77,19 +83,15 @@ class Dump:
             for frame in self._frames_of(file):
                 if last and frame.step <= last.step:
                     raise InputError(
-                        f"{frame.where}: follows {last.where}; time steps must ascend. Several dumps, or the pieces of a "
-                        "restarted run, in one? Give the files of one dump, each step once."
+                        f"{frame.where}: follows {last.where}; time steps must ascend. Several dumps, or the pieces "
+                        "of a restarted run, in one? Give the files of one dump, each step once."
                     )
                 yield frame
                 last = frame
 
     def _frames_of(self, file):
         with open_text(file) as stream:
-            reader = _Reader(file, stream, self)
-            try:
-                yield from reader.frames()
-            except (OSError, EOFError, zlib.error) as error:
-                raise InputError(f"{file}, after line {reader.line}: cannot be unpacked: {error}; the file is damaged") from None
+            yield from _Reader(file, stream, self).frames()
 
 
 class _Reader:
@@ -99,7 +101,11 @@ class _Reader:
 
     def next_line(self):
         self.line += 1
-        return self.stream.readline().decode("utf-8", "replace").rstrip("\r\n")
+        try:
+            line = self.stream.readline()
+        except DAMAGE as error:
+            self.fail(f"cannot be read: {error}; the file is damaged")
+        return line.decode("utf-8", "replace").rstrip("\r\n")
 
     def fail(self, message, line=None):
         raise InputError(f"{self.file}, line {line or self.line}: {message}")
@@ -139,7 +145,7 @@ class _Reader:
                 if self.stream.readline():
                     self.fail("empty line; a time step's particles must follow each other")
                 if step is not None:
-                    self.fail(f"the file ends in the heading of timestep {step}: the run was cut short. Delete that step.")
+                    self.fail(f"the file ends in the heading of timestep {step}: the run was cut short. Delete it.")
                 return None
             if not line.startswith("ITEM:"):
                 self.fail(f"'ITEM: ...' expected, found {line[:60]!r}: more particles than NUMBER OF ATOMS says?")
@@ -182,11 +188,14 @@ class _Reader:
 
     def _lines(self, where, first_line, count, keep=True):
         lines = islice(self.stream, count)
-        if keep:
-            lines = list(lines)
-            found = len(lines)
-        else:
-            found = sum(1 for _ in lines)
+        try:
+            if keep:
+                lines = list(lines)
+                found = len(lines)
+            else:
+                found = sum(1 for _ in lines)
+        except DAMAGE as error:
+            self.fail(f"{where}: cannot be read: {error}; the file is damaged", first_line)
         if found < count:
             self.fail(f"{where}: {count} particles announced, the file ends after {found}: the run was cut short. "
                       "Delete that step.", first_line + found)
@@ -194,8 +203,8 @@ class _Reader:
 
     def _particles(self, where, first_line, count, box, columns):
         lines = self._lines(where, first_line, count)
-        if self.dump.digits is None and lines:
-            self.dump.digits = _digits(lines[:200])
+        if lines and (self.dump.digits or 0) < 15:
+            self.dump.digits = max(self.dump.digits or 0, _digits(lines[:200]))
         table = _table(b"".join(lines), count, len(columns))
         if table is None:
             values = self._by_word(lines, first_line, columns)
@@ -214,7 +223,8 @@ class _Reader:
             words = line.split()
             if len(words) != len(columns):
                 text = line.decode("utf-8", "replace").strip()
-                self.fail(f"{len(columns)} values expected ({' '.join(columns)}), found {len(words)}: {text[:80]!r}", number)
+                wanted = f"{len(columns)} values expected ({' '.join(columns)})"
+                self.fail(f"{wanted}, found {len(words)}: {text[:80]!r}", number)
             rows.append(words)
         values = {}
         for i, name in enumerate(columns):
@@ -226,7 +236,8 @@ class _Reader:
                         try:
                             float(row[i])
                         except ValueError:
-                            self.fail(f"column {name}: a number expected, found {row[i].decode('utf-8', 'replace')!r}", number)
+                            text = row[i].decode("utf-8", "replace")
+                            self.fail(f"column {name}: a number expected, found {text!r}", number)
                 self.dump.text_columns.add(name)
         return values
 
@@ -238,7 +249,7 @@ class _Reader:
             position = numpy.column_stack([values.pop(name) for name in names])
             if names[0].startswith("xs"):
                 if box is None:
-                    self.fail(f"columns {' '.join(names)} are fractions of a box, and the dump has no 'ITEM: BOX BOUNDS'")
+                    self.fail(f"columns {' '.join(names)} are fractions of a box, and there is no 'ITEM: BOX BOUNDS'")
                 position = numpy.array(box.low) + position * numpy.array(box.edges)
             quantities["position"] = position
         for vector, names in VECTORS.items():

@@ -32,7 +32,10 @@ class Matching:
     def within(self, frame, start, end):
         """True if the frame lies in [start, end], given in s, or in steps where the solid step is unknown."""
         at = self.time(frame)
-        at = frame.step if at is None else at
+        return self.inside(frame.step if at is None else at, start, end)
+
+    def inside(self, at, start, end):
+        """True if the moment `at`, in s or steps as `start` and `end`, lies between them; None: open end."""
         slack = self.slack(at)
         return (start is None or at >= start - slack) and (end is None or at <= end + slack)
 
@@ -59,8 +62,8 @@ def matching_of(a, b, given):
         return Matching("step", None)
     if dumps and not recorded:
         raise InputError(
-            f"{runs[0].path}: no attribute solid_step in /meta of its results.h5, so the time steps of {dumps[0].path} cannot be "
-            "turned into times. Give the script's time step in s: --timestep DT"
+            f"{runs[0].path}: no attribute solid_step in /meta of its results.h5, so the time steps of {dumps[0].path} "
+            "cannot be turned into times. Give the script's time step in s: --timestep DT"
         )
     if not recorded:
         return Matching("time", None)

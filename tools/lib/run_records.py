@@ -17,7 +17,9 @@ def open_h5(path):
     try:
         return h5py.File(path, "r")
     except OSError as error:
-        raise InputError(f"{path}: cannot be read as HDF5: {error}; is the run still writing, or was it killed?") from None
+        raise InputError(
+            f"{path}: cannot be read as HDF5: {error}; is the run still writing, or was it killed?"
+        ) from None
 
 
 class Run:
@@ -111,7 +113,9 @@ class Run:
                     continue
                 values = numpy.asarray(dataset[()], dtype=float)
                 if values.shape[:1] != time.shape:
-                    raise InputError(f"{self.results}: /series/{name} has shape {values.shape}, /series/time {time.shape}")
+                    raise InputError(
+                        f"{self.results}: /series/{name} has shape {values.shape}, /series/time {time.shape}"
+                    )
                 if values.ndim == 1:
                     found[name] = values
                 else:
@@ -128,9 +132,10 @@ class Run:
 
 
 def find_run(path):
-    """The `Run` that `path` means: a folder with particles.h5 or results.h5, or one of these files. None if it is none."""
+    """The `Run` that `path` means, None if it is none: a folder with particles.h5 or results.h5, or such a file."""
     if os.path.isdir(path):
-        files = [file if os.path.isfile(file) else None for file in (os.path.join(path, PARTICLES), os.path.join(path, RESULTS))]
+        files = [os.path.join(path, name) for name in (PARTICLES, RESULTS)]
+        files = [file if os.path.isfile(file) else None for file in files]
         return Run(path, *files) if any(files) else None
     if not os.path.isfile(path) or not h5py.is_hdf5(path):
         return None

@@ -140,7 +140,7 @@ def mean_with_error(series):
     effective = (deviation / error) ** 2
     reason = ""
     if freedom < MINIMUM_FREEDOM or effective < 2 * MINIMUM_FREEDOM:
-        reason = (f"the record is worth {effective:.2g} independent samples: it drifts, or is too short for its slow motion")
+        reason = f"worth {effective:.2g} independent samples only: it drifts, or is too short for its slow motion"
     return Mean(value, error, deviation, count, effective, freedom, count / effective / 2, reason)
 
 

@@ -1,18 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engines/liggghts/fix_fluid.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 #include "atom.h"
-#include "momentum/fluid_force.hpp"
-#include "update.h"
 
 namespace interphase {
 
 namespace {
 
-constexpr int doubles_per_particle = sizeof(ParticleCoupling) / sizeof(double);
+/// What travels with an atom.
+struct Luggage {
+    FluidForce force;
+    double booked[3];
+    ParticleCoupling coupling;
+};
+constexpr int luggage_doubles = (sizeof(Luggage) + sizeof(double) - 1) / sizeof(double);
+
 constexpr int grow_callback = 0;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
@@ -29,36 +37,54 @@ int FixFluid::setmask() { return LAMMPS_NS::FixConst::POST_FORCE; }
 
 void FixFluid::post_force(int)
 {
-    const double dt = update->dt;
-    for (int i = 0; i < atom->nlocal; ++i) {
-        if (!(atom->mask[i] & groupbit)) continue;
-        Eigen::Map<Vector> force(atom->f[i]);
-        force = force_with_fluid(coupling_[static_cast<std::size_t>(i)], force, Eigen::Map<const Vector>(atom->v[i]),
-                                 atom->rmass[i], dt);
-    }
+    const int count = atom->nlocal;
+    if (count == 0) return;
+    double* force = atom->f[0];
+    const double* velocity = atom->v[0];
+    double* booked = booked_.data();
+    for (int i = 0; i < count; ++i) 
+        forces_[index(i)].apply(force + 3 * i, velocity + 3 * i, booked + 3 * i);
 }
 
-void FixFluid::grow_arrays(int count) { coupling_.resize(static_cast<std::size_t>(count)); }
+void FixFluid::grow_arrays(int count)
+{
+    forces_.resize(index(count));
+    booked_.resize(3 * index(count));
+    coupling_.resize(index(count));
+}
 
 void FixFluid::copy_arrays(int from, int to, int)
 {
-    coupling_[static_cast<std::size_t>(to)] = coupling_[static_cast<std::size_t>(from)];
+    forces_[index(to)] = forces_[index(from)];
+    std::copy_n(&booked_[3 * index(from)], 3, &booked_[3 * index(to)]);
+    coupling_[index(to)] = coupling_[index(from)];
 }
 
-void FixFluid::set_arrays(int i) { coupling_[static_cast<std::size_t>(i)] = ParticleCoupling{}; }
+void FixFluid::set_arrays(int i)
+{
+    forces_[index(i)] = FluidForce{};
+    std::fill_n(&booked_[3 * index(i)], 3, 0.0);
+    coupling_[index(i)] = ParticleCoupling{};
+}
 
 int FixFluid::pack_exchange(int i, double* buffer)
 {
-    std::memcpy(buffer, &coupling_[static_cast<std::size_t>(i)], sizeof(ParticleCoupling));
-    return doubles_per_particle;
+    Luggage luggage{forces_[index(i)], {}, coupling_[index(i)]};
+    std::copy_n(&booked_[3 * index(i)], 3, luggage.booked);
+    std::memcpy(buffer, &luggage, sizeof luggage);
+    return luggage_doubles;
 }
 
 int FixFluid::unpack_exchange(int i, double* buffer)
 {
-    std::memcpy(static_cast<void*>(&coupling_[static_cast<std::size_t>(i)]), buffer, sizeof(ParticleCoupling));
-    return doubles_per_particle;
+    Luggage luggage;
+    std::memcpy(static_cast<void*>(&luggage), buffer, sizeof luggage);
+    forces_[index(i)] = luggage.force;
+    std::copy_n(luggage.booked, 3, &booked_[3 * index(i)]);
+    coupling_[index(i)] = luggage.coupling;
+    return luggage_doubles;
 }
 
-double FixFluid::memory_usage() { return static_cast<double>(coupling_.size() * sizeof(ParticleCoupling)); }
+double FixFluid::memory_usage() { return static_cast<double>(forces_.size() * sizeof(Luggage)); }
 
 }  // namespace interphase

@@ -4,12 +4,13 @@
 #include <vector>
 
 #include "fix.h"
+#include "momentum/fluid_force.hpp"
 #include "momentum/particle_coupling.hpp"
 
 namespace interphase {
 
-/// The LIGGGHTS fix style `interphase/fluid`: keeps a ParticleCoupling per atom, lets it travel with its atom, and turns
-/// the sum of all other forces into the one that force_with_fluid() gives. It must be the last fix that changes forces.
+/// The LIGGGHTS fix style `interphase/fluid`: keeps a FluidForce, its booked sum and a ParticleCoupling per atom, lets them
+/// travel with their atom, and applies the force. It must be the last fix that changes forces.
 class FixFluid : public LAMMPS_NS::Fix {
 public:
     static constexpr const char* style_name = "interphase/fluid";
@@ -27,9 +28,13 @@ public:
     int unpack_exchange(int i, double* buffer) override;
     double memory_usage() override;
 
+    FluidForce* forces() { return forces_.data(); }
+    double* booked() { return booked_.data(); }
     ParticleCoupling* coupling() { return coupling_.data(); }
 
 private:
+    std::vector<FluidForce> forces_;
+    std::vector<double> booked_;  ///< flat [n x 3]
     std::vector<ParticleCoupling> coupling_;
 };
 

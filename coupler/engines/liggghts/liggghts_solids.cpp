@@ -160,6 +160,8 @@ ParticleView LiggghtsSolids::particles()
             ScalarsView(atom.radius, n),
             ScalarsView(atom.rmass, n),
             atom.tag,
+            fluid_ ? fluid_->forces() : nullptr,
+            fluid_ ? fluid_->booked() : nullptr,
             fluid_ ? fluid_->coupling() : nullptr};
 }
 
@@ -169,6 +171,12 @@ void LiggghtsSolids::advance(int substeps)
     lmp_->update->integrate->run(substeps);
 }
 
-std::string LiggghtsSolids::version() const { return lmp_->universe->version; }
+std::string LiggghtsSolids::version() const
+{
+    // "Version LIGGGHTS-PUBLIC 3.8.0, compiled ..."
+    const std::string whole = lmp_->universe->version;
+    const std::size_t start = whole.find("LIGGGHTS");
+    return start == std::string::npos ? whole : whole.substr(start, whole.find(',') - start);
+}
 
 }  // namespace interphase

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engines/openfoam/mesh_part.hpp"
 
-#include "globalMeshData.H"
+#include "indexedOctree.H"
 #include "processorPolyPatch.H"
 #include "syncTools.H"
+#include "treeDataCell.H"
 
 namespace interphase {
 
@@ -100,7 +101,7 @@ CellAddress MeshPart::walk(const Vector& point, int start) const
 CellAddress MeshPart::search(const Vector& point) const
 {
     if (!contains(bounds_, point)) return {};
-    const Foam::label cell = mesh_.findCell(Foam::point(point.x(), point.y(), point.z()), Foam::polyMesh::FACE_PLANES);
+    const Foam::label cell = mesh_.cellTree().findInside(Foam::point(point.x(), point.y(), point.z()));
     return cell < 0 ? CellAddress{} : CellAddress{Foam::UPstream::myProcNo(), cell};
 }
 
