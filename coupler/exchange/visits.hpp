@@ -21,21 +21,28 @@ public:
     const std::vector<int>& cells() const { return cells_; }
     std::size_t visitors() const { return cells_.size(); }
 
-    /// Records of `width` doubles per particle, in this rank's order of particles, to the hosts' `of_visitors`.
-    void bring(const Scalars& of_particles, int width, Scalars& of_visitors);
+    /// This rank's particles that visit a cell, in the order in which their records travel.
+    const std::vector<std::size_t>& order() const { return order_; }
 
-    /// Records of `width` doubles per visitor back to `of_particles`; zero for those that stayed away.
-    void take_back(const Scalars& of_visitors, int width, Scalars& of_particles);
+    /// Records of `width` doubles per travelling particle, in their order, to the hosts.
+    void bring(const Scalars& of_travellers, int width, Scalars& of_visitors) const
+    {
+        exchange_.forward(of_travellers, width, of_visitors);
+    }
+
+    /// Records per visitor back to the travellers.
+    void take_back(const Scalars& of_visitors, int width, Scalars& of_travellers) const
+    {
+        exchange_.backward(of_visitors, width, of_travellers);
+    }
 
     std::size_t doubles_sent() const { return exchange_.doubles_sent(); }
 
 private:
     Communicator comm_;
     SparseExchange exchange_;
-    std::vector<std::size_t> order_;  ///< the particle of each record sent
+    std::vector<std::size_t> order_;
     std::vector<int> cells_;
-    std::size_t particles_ = 0;
-    Scalars buffer_;
 };
 
 }  // namespace interphase

@@ -30,7 +30,7 @@ constexpr int homeward_record = 7;
 
 Vector vector_at(const Scalars& flat, std::size_t start) { return {flat[start], flat[start + 1], flat[start + 2]}; }
 
-void put(Scalars& flat, std::size_t start, const Vector& v) { std::copy_n(v.data(), 3, &flat[start]); }
+void put(double* start, const Vector& v) { std::copy_n(v.data(), 3, start); }
 
 /// Summed blockwise, so that round-off does not grow with the number of terms.
 double sum(const Scalars& terms)
@@ -89,24 +89,30 @@ void CouplingStep::bring_particles_to_their_cells()
 
     const double per_real = 1.0 / std::cbrt(settings_.weight);
     const std::size_t width = settings_.two_way ? two_way_record : one_way_record;
-    records_.resize(n * width);
-    for (std::size_t i = 0; i < n; ++i) {
+    records_.resize(visits_.order().size() * width);
+    std::size_t r = 0;
+    for (const std::size_t i : visits_.order()) {
         const auto column = static_cast<Eigen::Index>(i);
-        const std::size_t r = i * width;
-        put(records_, r + position, particles.position.col(column));
-        put(records_, r + velocity, particles.velocity.col(column));
+        put(&records_[r + position], particles.position.col(column));
+        put(&records_[r + velocity], particles.velocity.col(column));
         records_[r + diameter] = 2 * particles.radius[column] * per_real;
         records_[r + volume] = sphere_volume(particles.radius[column]);
-        if (!settings_.two_way) continue;
-        const ParticleCoupling& own = particles.coupling[i];
-        const double m = particles.mass[column];
-        records_[r + mass] = m;
-        records_[r + held] = held_by_contacts(
-            particles.velocity.col(column) - to_vector(own.start_velocity), to_vector(own.free_change));
-        put(records_, r + acceleration, solids_.gravity() + to_vector(own.pressure_force) / m);
-        put(records_, r + pending, solid_step_ * particles.booked_force(i) - to_vector(own.assumed_impulse));
+        if (settings_.two_way) pack_for_two_way(particles, i, &records_[r]);
+        r += width;
     }
     visits_.bring(records_, static_cast<int>(width), visitors_);
+}
+
+void CouplingStep::pack_for_two_way(const ParticleView& particles, std::size_t i, double* record) const
+{
+    const auto column = static_cast<Eigen::Index>(i);
+    const ParticleCoupling& own = particles.coupling[i];
+    const double m = particles.mass[column];
+    record[mass] = m;
+    record[held] = held_by_contacts(particles.velocity.col(column) - to_vector(own.start_velocity),
+                                    to_vector(own.free_change));
+    put(record + acceleration, solids_.gravity() + to_vector(own.pressure_force) / m);
+    put(record + pending, solid_step_ * particles.booked_force(i) - to_vector(own.assumed_impulse));
 }
 
 void CouplingStep::refuse_particles_outside(const ParticleView& particles) const
@@ -177,7 +183,7 @@ void CouplingStep::map_drag(double dt)
         const AssumedDrag drag = assume_drag(record[mass], drag_rates_[i], record[held],
                                              vector_at(visitors_, i * width + acceleration), dt);
         demands_[4 * i] = drag.kappa;
-        put(demands_, 4 * i + 1,
+        put(&demands_[4 * i + 1],
             drag.kappa * vector_at(visitors_, i * width + velocity) +
                 (drag.carried - vector_at(visitors_, i * width + pending)) / dt);
     }
@@ -185,7 +191,7 @@ void CouplingStep::map_drag(double dt)
     for (std::size_t c = 0; c < voidage_.size(); ++c) {
         const double per_volume = 1.0 / gas_.mesh().volume[c];
         exchange_rate_[c] = contents[4 * c] * per_volume;
-        put(exchange_source_, 3 * c, per_volume * vector_at(contents, 4 * c + 1));
+        put(&exchange_source_[3 * c], per_volume * vector_at(contents, 4 * c + 1));
     }
 }
 
@@ -226,9 +232,11 @@ void CouplingStep::return_gas_to_particles(double dt)
     visits_.take_back(answers_, homeward_record, fluid_);
     const ParticleView particles = solids_.particles();
     assumed_at_start_.setZero();
-    for (std::size_t i = 0; i < particles.size(); ++i) {
+    for (std::size_t i = 0; i < particles.size(); ++i)
+        if (!homes_[i].known()) particles.fluid[i] = FluidForce{};
+    std::size_t f = 0;
+    for (const std::size_t i : visits_.order()) {
         const auto column = static_cast<Eigen::Index>(i);
-        const std::size_t f = homeward_record * i;
         const double m = particles.mass[column];
         const Vector v = particles.velocity.col(column);
         const Vector u = vector_at(fluid_, f + 1);
@@ -247,6 +255,7 @@ void CouplingStep::return_gas_to_particles(double dt)
         set(own.start_velocity, v);
         set(own.free_change, free_change(m, fluid_[f], u - v, solids_.gravity() + pressure_force / m, dt));
         assumed_at_start_ += assumed;
+        f += homeward_record;
     }
 }
 

@@ -50,6 +50,7 @@ private:
     void move_particles(int substeps);
     void book();
 
+    void pack_for_two_way(const ParticleView& particles, std::size_t i, double* record) const;
     void refuse_particles_outside(const ParticleView& particles) const;
     std::optional<std::string> trouble(const ParticleView& particles) const;
 
@@ -66,11 +67,11 @@ private:
     Ledger ledger_;
 
     std::vector<CellAddress> homes_;
-    Scalars records_;        ///< one a particle, as packed
-    Scalars visitors_;       ///< one a visitor, likewise
+    Scalars records_;        ///< one a travelling particle, as packed
+    Scalars visitors_;       ///< the same, arrived
     Scalars seen_;           ///< gas values at the visitors
     Scalars answers_;        ///< one a visitor
-    Scalars fluid_;          ///< one a particle
+    Scalars fluid_;          ///< one a travelling particle
     Scalars positions_, volumes_, demands_;  ///< of the visitors
     Scalars drag_rates_;     ///< of the visitors [kg/s]
     Scalars voidage_;        ///< own cells
