@@ -56,6 +56,8 @@ int main(int argc, char** argv)
 {
     // a value that is not finite is reported by the coupler with its place; a trap would only end the process
     setenv("FOAM_SIGFPE", "false", 0);
+    // results can be looked at while the run goes on: the file is complete after every flush
+    setenv("HDF5_USE_FILE_LOCKING", "FALSE", 0);
     MPI_Init(&argc, &argv);
     const std::optional<std::string> problem = run(argc, argv);
     const int code = problem ? stop_with(*problem) : 0;

@@ -26,6 +26,12 @@ void SparseExchange::plan(const std::vector<int>& send_counts)
     receive_ = parts(receive_counts, received_);
 }
 
+bool SparseExchange::stays_home() const
+{
+    const auto home = [this](const Part& part) { return part.rank == comm_.rank(); };
+    return std::all_of(send_.begin(), send_.end(), home) && std::all_of(receive_.begin(), receive_.end(), home);
+}
+
 void SparseExchange::transfer(const Scalars& out, int width, const std::vector<Part>& to,
                               const std::vector<Part>& from, std::size_t arriving, Scalars& in) const
 {

@@ -19,6 +19,9 @@ public:
     /// Plans for `send_counts[r]` records to rank r. Collective.
     void plan(const std::vector<int>& send_counts);
 
+    /// Whether every planned record of this rank is for itself, and none comes from another.
+    bool stays_home() const;
+
     std::size_t sent() const { return sent_; }
     std::size_t received() const { return received_; }
 

@@ -24,16 +24,23 @@ public:
     /// This rank's particles that visit a cell, in the order in which their records travel.
     const std::vector<std::size_t>& order() const { return order_; }
 
-    /// Records of `width` doubles per travelling particle, in their order, to the hosts.
-    void bring(const Scalars& of_travellers, int width, Scalars& of_visitors) const
+    /// Records of `width` doubles per travelling particle, in their order, to the hosts. Where nobody leaves its rank the
+    /// two change places instead of being copied, so count on neither's content but the visitors'.
+    void bring(Scalars& of_travellers, int width, Scalars& of_visitors) const
     {
-        exchange_.forward(of_travellers, width, of_visitors);
+        if (exchange_.stays_home())
+            of_visitors.swap(of_travellers);
+        else
+            exchange_.forward(of_travellers, width, of_visitors);
     }
 
-    /// Records per visitor back to the travellers.
-    void take_back(const Scalars& of_visitors, int width, Scalars& of_travellers) const
+    /// Records per visitor back to the travellers; likewise.
+    void take_back(Scalars& of_visitors, int width, Scalars& of_travellers) const
     {
-        exchange_.backward(of_visitors, width, of_travellers);
+        if (exchange_.stays_home())
+            of_travellers.swap(of_visitors);
+        else
+            exchange_.backward(of_visitors, width, of_travellers);
     }
 
     std::size_t doubles_sent() const { return exchange_.doubles_sent(); }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapping/cell_weights.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace interphase {
 
@@ -45,30 +45,49 @@ void CellWeights::spread_by_kernel(const Scalars& positions, const std::vector<i
     }
 }
 
+namespace {
+
+/// Calls `body` with the width as a constant where it is one that the coupling uses, so that the inner loops unroll.
+template <class Body>
+void with_width(int width, Body&& body)
+{
+    switch (width) {
+    case 1: return body(std::integral_constant<std::size_t, 1>{});
+    case 4: return body(std::integral_constant<std::size_t, 4>{});
+    case 6: return body(std::integral_constant<std::size_t, 6>{});
+    default: return body(static_cast<std::size_t>(width));
+    }
+}
+
+}  // namespace
+
 void CellWeights::add_to_cells(const Scalars& of_particles, int width, Scalars& of_cells) const
 {
-    const auto w = static_cast<std::size_t>(width);
-    for (std::size_t i = 0; i < particles(); ++i) {
-        const double* q = &of_particles[i * w];
-        for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
-            double* cell = &of_cells[static_cast<std::size_t>(cell_[k]) * w];
-            for (std::size_t m = 0; m < w; ++m) cell[m] += weight_[k] * q[m];
+    with_width(width, [&](const auto w) {
+        for (std::size_t i = 0; i < particles(); ++i) {
+            const double* q = &of_particles[i * w];
+            for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
+                double* cell = &of_cells[static_cast<std::size_t>(cell_[k]) * w];
+                for (std::size_t m = 0; m < w; ++m) cell[m] += weight_[k] * q[m];
+            }
         }
-    }
+    });
 }
 
 void CellWeights::at_particles(const Scalars& of_cells, int width, Scalars& of_particles) const
 {
-    const auto w = static_cast<std::size_t>(width);
-    of_particles.resize(particles() * w);
-    for (std::size_t i = 0; i < particles(); ++i) {
-        double* q = &of_particles[i * w];
-        std::fill_n(q, w, 0.0);
-        for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
-            const double* cell = &of_cells[static_cast<std::size_t>(cell_[k]) * w];
-            for (std::size_t m = 0; m < w; ++m) q[m] += weight_[k] * cell[m];
+    of_particles.resize(particles() * static_cast<std::size_t>(width));
+    with_width(width, [&](const auto w) {
+        for (std::size_t i = 0; i < particles(); ++i) {
+            double* q = &of_particles[i * w];
+            for (std::size_t m = 0; m < w; ++m) q[m] = 0;
+            for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
+                const double weight = weight_[k];
+                const double* cell = &of_cells[static_cast<std::size_t>(cell_[k]) * w];
+                for (std::size_t m = 0; m < w; ++m) q[m] += weight * cell[m];
+            }
         }
-    }
+    });
 }
 
 }  // namespace interphase

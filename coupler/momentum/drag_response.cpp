@@ -6,16 +6,20 @@
 
 namespace interphase {
 
-double relaxed_share(double x)
-{
-    // the series avoids 0/0; its error at the switch is x^2/6 < 2e-17
-    return x < 1e-8 ? 1.0 - 0.5 * x : -std::expm1(-x) / x;
-}
+namespace {
+
+/// Below it the series are used: they avoid the cancellation, and the exponential where it hardly matters.
+constexpr double small = 0.01;
+
+}  // namespace
+
+double relaxed_share(double x) { return x < small ? 1.0 - withheld_share(x) : -std::expm1(-x) / x; }
 
 double withheld_share(double x)
 {
-    // the fourth term of the series is below 1e-16 relative at the switch
-    return x < 1e-4 ? x * (0.5 - x * (1.0 / 6.0 - x / 24.0)) : 1.0 - relaxed_share(x);
+    // x/2 - x^2/6 + x^3/24 - ...; the first term left out is below 1e-16 of the sum
+    if (x < small) return x / 2 * (1 - x / 3 * (1 - x / 4 * (1 - x / 5 * (1 - x / 6 * (1 - x / 7)))));
+    return 1.0 - relaxed_share(x);
 }
 
 AssumedDrag assume_drag(double mass, double drag_rate, double held, const Vector& acceleration, double dt)

@@ -72,7 +72,7 @@ void Report::summary(const Account& account) const
         std::printf("    momentum, gas against particles  %.1e of the impulse exchanged\n", account.momentum_residual);
         std::printf("    solid volume, cells against particles  %.1e of the total\n", account.volume_residual);
     }
-    std::printf("\n  interventions\n");
+    std::printf("\n  counted\n");
     std::printf("    cells relieved at the packing limit    %ld\n", account.interventions.cells_relieved);
     std::printf("    particles without a gas cell           %ld\n", account.interventions.outside_mesh);
     std::printf("    particles beyond the drag law's range  %ld\n", account.interventions.beyond_drag_range);

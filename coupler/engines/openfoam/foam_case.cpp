@@ -9,6 +9,8 @@
 #include <iostream>
 #include <sstream>
 
+#include "IFstream.H"
+#include "OSspecific.H"
 #include "Time.H"
 #include "argList.H"
 #include "error.H"
@@ -74,6 +76,25 @@ void refuse_wrong_decomposition(const std::filesystem::path& folder)
                             " in system/decomposeParDict, or start " + std::to_string(parts) + " ranks");
 }
 
+/// What a user may set in an OpenFOAM case and this gas does not have, so that it is not passed over in silence.
+void refuse_what_is_not_solved(const Foam::Time& time)
+{
+    for (const Foam::word& folder : {time.constant(), time.system()})
+        if (Foam::isFile(time.globalPath() / folder / "fvOptions"))
+            throw UserError("the case has fvOptions, which the gas solver does not apply", std::string(folder) + "/fvOptions",
+                            "remove the file");
+    const Foam::fileName turbulence = time.globalPath() / time.constant() / "turbulenceProperties";
+    if (!Foam::isFile(turbulence)) return;
+    Foam::IFstream stream(turbulence);
+    const Foam::dictionary dict(stream);
+    const auto type = dict.getOrDefault<Foam::word>("simulationType", "laminar");
+    if (type != "laminar")
+        throw UserError("`simulationType " + type + ";` asks for a turbulence model, and the gas solver is laminar",
+                        "constant/turbulenceProperties, line " +
+                            std::to_string(dict.findEntry("simulationType")->startLineNumber()),
+                        "set it to laminar, or remove the file");
+}
+
 }  // namespace
 
 struct FoamCase::Parts {
@@ -131,6 +152,7 @@ std::unique_ptr<FoamGas> FoamCase::make_gas(const Settings& settings)
 {
     std::unique_ptr<FoamGas> gas;
     with_foam_errors([&] {
+        refuse_what_is_not_solved(*parts_->time);
         parts_->mesh = std::make_unique<Foam::fvMesh>(Foam::IOobject(
             Foam::fvMesh::defaultRegion, parts_->time->timeName(), *parts_->time, Foam::IOobject::MUST_READ));
         if (settings.gas == GasModel::pimple)

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A small gas case in a temporary folder, stepped as the coupler steps it, with voidage and exchange prescribed.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <mpi.h>
+#include <stdlib.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "engines/openfoam/foam_case.hpp"
+
+namespace interphase::testing_gas {
+
+/// The two sides of the box that face along one axis.
+struct Sides {
+    std::string type;                       ///< of the patches: cyclic, empty, patch or wall
+    std::array<std::string, 2> velocity{};  ///< boundary condition of U on the low and the high side; empty: the type's own
+    std::array<std::string, 2> pressure{};  ///< of p_rgh
+};
+
+inline const Sides periodic{"cyclic", {}, {}};
+inline const Sides unresolved{"empty", {}, {}};
+
+/// Flow along the axis: `velocity` [m/s] (of the three axes) enters on the low side, the pressure is 0 on the high one.
+inline Sides through_flow(const std::string& velocity)
+{
+    return {"patch",
+            {"type fixedValue; value uniform " + velocity + ";", "type zeroGradient;"},
+            {"type fixedFluxPressure; gradient uniform 0; value uniform 0;", "type fixedValue; value uniform 0;"}};
+}
+
+using VectorField = std::function<Vector(const Vector&)>;
+using ScalarField = std::function<double(const Vector&)>;
+
+struct Scene {
+    Vector size{1, 1, 1};  ///< of the box [m]
+    std::array<int, 3> cells{1, 1, 1};
+    std::array<Sides, 3> sides{unresolved, unresolved, unresolved};
+    double density = 1;     ///< [kg/m3]
+    double viscosity = 1e-9;  ///< [Pa s]
+    double gas_step = 1e-3;   ///< [s]
+    std::string time_scheme = "Euler";
+    int outer_correctors = 1;
+    int correctors = 2;
+    double pressure_tolerance = 1e-12;
+    VectorField velocity = [](const Vector&) { return Vector(0, 0, 0); };  ///< at the start [m/s]
+};
+
+/// GoogleTest's own main does not know MPI, which the case asks for the number of its ranks.
+class MpiSession : public testing::Environment {
+public:
+    void SetUp() override { MPI_Init(nullptr, nullptr); }
+    void TearDown() override { MPI_Finalize(); }
+};
+
+inline testing::Environment* const mpi_session = testing::AddGlobalTestEnvironment(new MpiSession);
+
+/// Gravity is zero: p and p_rgh are the same.
+class GasCase {
+public:
+    explicit GasCase(const Scene& scene) : scene_(scene), start_folder_(std::filesystem::current_path())
+    {
+        std::string pattern = (std::filesystem::temp_directory_path() / "gas_case.XXXXXX").string();
+        if (!mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder " + pattern);
+        folder_ = pattern;
+        write_case();
+        const std::string log = folder_ + "/log.blockMesh";
+        if (std::system(("blockMesh -case " + folder_ + " > " + log + " 2>&1").c_str()) != 0)
+            throw std::runtime_error("blockMesh failed, see " + log);
+        arguments_[2] = folder_;
+        for (std::size_t i = 0; i < arguments_.size(); ++i) argument_pointers_[i] = arguments_[i].data();
+        argument_list_ = argument_pointers_.data();
+        foam_ = std::make_unique<FoamCase>(argument_count_, argument_list_);
+        Settings settings;
+        settings.gas = GasModel::pimple;
+        gas_ = foam_->make_gas(settings);
+    }
+
+    ~GasCase()
+    {
+        gas_.reset();
+        // Not destroyed: with the last argList OpenFOAM ends the process, and with exit code 0.
+        static_cast<void>(foam_.release());
+        std::filesystem::current_path(start_folder_);
+        std::error_code ignored;
+        std::filesystem::remove_all(folder_, ignored);
+    }
+
+    GasCase(const GasCase&) = delete;
+    GasCase& operator=(const GasCase&) = delete;
+
+    std::size_t cells() const { return gas_->mesh().size(); }
+    const Vector& centre(std::size_t c) const { return gas_->mesh().centre[c]; }
+    double volume(std::size_t c) const { return gas_->mesh().volume[c]; }
+    double time() const { return foam_->time(); }
+
+    /// [n] and [n x 3] values of the cells.
+    Scalars sampled(const ScalarField& field) const
+    {
+        Scalars values;
+        for (const Vector& x : gas_->mesh().centre) values.push_back(field(x));
+        return values;
+    }
+    Scalars sampled(const VectorField& field) const
+    {
+        Scalars values;
+        for (const Vector& x : gas_->mesh().centre) {
+            const Vector v = field(x);
+            values.insert(values.end(), v.data(), v.data() + 3);
+        }
+        return values;
+    }
+
+    /// One gas step, as CouplingStep does it. `rate` [kg/(m3 s)], `source` [N/m3].
+    void step(const Scalars& voidage, const Scalars& rate, const Scalars& source)
+    {
+        foam_->advance_time(scene_.gas_step);
+        gas_->set_voidage(voidage);
+        gas_->solve(scene_.gas_step, rate, source);
+        if (const auto trouble = gas_->trouble()) throw std::runtime_error(*trouble);
+    }
+
+    Vector velocity(std::size_t c) const
+    {
+        const Scalars all = gas_->velocity();
+        return {all[3 * c], all[3 * c + 1], all[3 * c + 2]};
+    }
+    Scalars velocities() const { return gas_->velocity(); }
+    Scalars pressure_gradients() const { return gas_->pressure_gradient(); }
+    double pressure(std::size_t c) const { return gas_->pressure_at(centre(c)); }
+
+private:
+    void write_case() const
+    {
+        namespace fs = std::filesystem;
+        for (const char* part : {"0", "constant", "system"}) fs::create_directories(fs::path(folder_) / part);
+        write("system/controlDict", "dictionary",
+              "application interphase; startFrom startTime; startTime 0; stopAt endTime; endTime 1e9; deltaT " +
+                  number(scene_.gas_step) +
+                  "; writeControl timeStep; writeInterval 1000000000; timeFormat general; timePrecision 12;");
+        write("system/couplingDict", "dictionary", "");
+        write("system/fvSchemes", "dictionary",
+              "ddtSchemes { default " + scene_.time_scheme +
+                  "; } gradSchemes { default Gauss linear; } divSchemes { default Gauss linear; } "
+                  "laplacianSchemes { default Gauss linear corrected; } interpolationSchemes { default linear; } "
+                  "snGradSchemes { default corrected; }");
+        const std::string tolerance = number(scene_.pressure_tolerance);
+        write("system/fvSolution", "dictionary",
+              "solvers { \"p_rgh.*\" { solver PCG; preconditioner DIC; tolerance " + tolerance +
+                  "; relTol 0; minIter 1; } \"U.*\" { solver PBiCGStab; preconditioner DILU; tolerance 1e-14; relTol 0; } }\n"
+                  "PIMPLE { nOuterCorrectors " + std::to_string(scene_.outer_correctors) + "; nCorrectors " +
+                  std::to_string(scene_.correctors) + "; pRefCell 0; pRefValue 0; }");
+        write("constant/transportProperties", "dictionary",
+              "rho " + number(scene_.density) + "; mu " + number(scene_.viscosity) + ";");
+        write("constant/g", "uniformDimensionedVectorField", "dimensions [0 1 -2 0 0 0 0]; value (0 0 0);");
+        write("system/blockMeshDict", "dictionary", mesh_description());
+        write("0/U", "volVectorField",
+              "dimensions [0 1 -1 0 0 0 0]; internalField nonuniform List<vector> " + initial_velocity() +
+                  "; boundaryField { " + conditions(&Sides::velocity) + "}");
+        write("0/p_rgh", "volScalarField",
+              "dimensions [1 -1 -2 0 0 0 0]; internalField uniform 0; boundaryField { " + conditions(&Sides::pressure) + "}");
+    }
+
+    void write(const std::string& file, const std::string& type, const std::string& content) const
+    {
+        std::ofstream out(folder_ + "/" + file);
+        out << "FoamFile { version 2.0; format ascii; class " << type << "; object "
+            << std::filesystem::path(file).filename().string() << "; }\n"
+            << content << "\n";
+    }
+
+    static std::string number(double value)
+    {
+        char text[40];
+        std::snprintf(text, sizeof text, "%.17g", value);
+        return text;
+    }
+
+    static std::string number(const Vector& v)
+    {
+        return "(" + number(v.x()) + " " + number(v.y()) + " " + number(v.z()) + ")";
+    }
+
+    /// blockMesh numbers a block's cells along x first, then y, then z.
+    std::string initial_velocity() const
+    {
+        std::string list = "(";
+        const auto& n = scene_.cells;
+        for (int k = 0; k < n[2]; ++k)
+            for (int j = 0; j < n[1]; ++j)
+                for (int i = 0; i < n[0]; ++i) {
+                    const Vector share((i + 0.5) / n[0], (j + 0.5) / n[1], (k + 0.5) / n[2]);
+                    list += number(scene_.velocity(share.cwiseProduct(scene_.size))) + "\n";
+                }
+        return list + ")";
+    }
+
+    static std::string side_name(int axis, int side) { return std::string("xyz").substr(axis, 1) + (side ? "High" : "Low"); }
+
+    std::string conditions(std::array<std::string, 2> Sides::*which) const
+    {
+        std::string text;
+        for (int axis = 0; axis < 3; ++axis)
+            for (int side = 0; side < 2; ++side) {
+                const std::string& own = (scene_.sides[axis].*which)[side];
+                text += side_name(axis, side) + " { " + (own.empty() ? "type " + scene_.sides[axis].type + ";" : own) + " } ";
+            }
+        return text;
+    }
+
+    std::string mesh_description() const
+    {
+        static const char* const faces[3][2] = {{"(0 4 7 3)", "(1 2 6 5)"}, {"(0 1 5 4)", "(3 7 6 2)"}, {"(0 3 2 1)", "(4 5 6 7)"}};
+        std::string text = "scale 1; vertices (";
+        for (const Vector& corner : {Vector(0, 0, 0), Vector(1, 0, 0), Vector(1, 1, 0), Vector(0, 1, 0), Vector(0, 0, 1),
+                                     Vector(1, 0, 1), Vector(1, 1, 1), Vector(0, 1, 1)})
+            text += number(Vector(corner.cwiseProduct(scene_.size)));
+        text += "); edges (); blocks ( hex (0 1 2 3 4 5 6 7) (" + std::to_string(scene_.cells[0]) + " " +
+                std::to_string(scene_.cells[1]) + " " + std::to_string(scene_.cells[2]) +
+                ") simpleGrading (1 1 1) ); boundary (";
+        for (int axis = 0; axis < 3; ++axis)
+            for (int side = 0; side < 2; ++side) {
+                text += side_name(axis, side) + " { type " + scene_.sides[axis].type + "; ";
+                if (scene_.sides[axis].type == "cyclic") text += "neighbourPatch " + side_name(axis, 1 - side) + "; ";
+                text += std::string("faces (") + faces[axis][side] + "); } ";
+            }
+        return text + ");";
+    }
+
+    Scene scene_;
+    std::string folder_;
+    std::filesystem::path start_folder_;
+    std::array<std::string, 3> arguments_{"gas_case", "-case", ""};
+    std::array<char*, 4> argument_pointers_{};
+    int argument_count_ = 3;
+    char** argument_list_ = nullptr;
+    std::unique_ptr<FoamCase> foam_;
+    std::unique_ptr<FoamGas> gas_;
+};
+
+/// The orders between neighbours in a series of errors whose step halves from each to the next.
+inline std::vector<double> observed_orders(const std::vector<double>& errors)
+{
+    std::vector<double> orders;
+    for (std::size_t i = 1; i < errors.size(); ++i) orders.push_back(std::log2(errors[i - 1] / errors[i]));
+    return orders;
+}
+
+}  // namespace interphase::testing_gas

@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Cases prepared in folders of their own, and the program run on them."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import h5py
+import numpy
+
+SOURCE = os.environ.get("INTERPHASE_SOURCE") or os.path.realpath(os.path.join(os.path.dirname(__file__), "..", ".."))
+BUILD = os.environ.get("INTERPHASE_BUILD") or os.path.join(SOURCE, "build", "release")
+PROGRAM = os.path.join(BUILD, "interphase")
+TOOLS = os.path.join(SOURCE, "tools")
+sys.path.insert(0, TOOLS)
+
+from lib import foam_file, launch  # noqa: E402
+
+# A test that hangs ends here [s]; runs in tests take seconds.
+LONGEST = 900
+
+
+def environment(**changes):
+    """The user's, with what Open MPI and OpenFOAM want; None removes a variable."""
+    variables = {**os.environ, **launch.additions(os.environ), **changes}
+    return {name: value for name, value in variables.items() if value is not None}
+
+
+class Finished:
+    """How a program ended: exit code, what it printed, and the folder it worked in."""
+
+    def __init__(self, folder, done):
+        self.folder = folder
+        self.code = done.returncode
+        self.out = done.stdout
+        self.err = done.stderr
+
+    @property
+    def text(self):
+        return self.out + self.err
+
+    def path(self, *parts):
+        return os.path.join(self.folder, *parts)
+
+    def results(self):
+        return h5py.File(self.path("results.h5"), "r")
+
+    def snapshots(self):
+        """Per time a dict of arrays, rows sorted by id: {time: {"position": [n, 3], ...}}."""
+        found = {}
+        with h5py.File(self.path("particles.h5"), "r") as file:
+            for group in file["/snapshots"].values():
+                order = numpy.argsort(group["id"][:])
+                found[float(group.attrs["time"])] = {name: group[name][:][order] for name in group}
+        return found
+
+
+def execute(folder, ranks=1, timeout=LONGEST, **changes):
+    """The program on a prepared case. `changes` of the environment."""
+    command = launch.command(PROGRAM, folder, ranks)
+    done = subprocess.run(
+        command, cwd=folder, env=environment(**changes), stdin=subprocess.DEVNULL, capture_output=True, text=True,
+        errors="replace", timeout=timeout,
+    )
+    return Finished(folder, done)
+
+
+def write(path, text):
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+def read(*parts):
+    with open(os.path.join(*parts), encoding="utf-8", errors="replace") as file:
+        return file.read()
+
+
+def parameters(folder):
+    """The numbers of a case's `parameters`, and its words as they are."""
+    text = re.sub(r"//.*", "", read(folder, "parameters"))
+    found = {}
+    for key, value in re.findall(r"(\w+)\s+([^;\s]+)\s*;", text):
+        try:
+            found[key] = float(value)
+        except ValueError:
+            found[key] = value
+    return found
+
+
+class ProgramTest(unittest.TestCase):
+    """Every test has a folder of its own, gone when it ends."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls._class_folder = tempfile.TemporaryDirectory(prefix="interphase-")
+        cls.addClassCleanup(cls._class_folder.cleanup)
+        cls.shared = cls._class_folder.name
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="interphase-")
+        self.addCleanup(folder.cleanup)
+        self.root = folder.name
+
+    @staticmethod
+    def prepare(case, folder, ranks=1, **settings):
+        """A case of cases/ (or a folder) made ready in `folder` by tools/run, with a program that does nothing.
+
+        `settings`: entries of `parameters`; `until` is the end time, other files' entries as {"FILE:ENTRY": value}.
+        """
+        path = case if os.path.isabs(case) else os.path.join(SOURCE, "cases", case)
+        command = [os.path.join(TOOLS, "run"), path, "--ranks", str(ranks), "--out", folder, "--no-picture", "--quiet"]
+        for key, value in settings.items():
+            command += ["--until", str(value)] if key == "until" else ["--set", f"{key}={value}"]
+        done = subprocess.run(
+            command, env=environment(INTERPHASE_BIN="true"), stdin=subprocess.DEVNULL, capture_output=True, text=True,
+            timeout=LONGEST,
+        )
+        if done.returncode != 0:
+            raise AssertionError(f"{' '.join(command)} failed:\n{done.stdout}{done.stderr}")
+        return folder
+
+    def prepared(self, case, name="case", ranks=1, **settings):
+        return self.prepare(case, os.path.join(self.root, name), ranks, **settings)
+
+    def copied(self, folder, name="copy"):
+        target = os.path.join(self.root, name)
+        shutil.copytree(folder, target, symlinks=True)
+        return target
+
+    def run_case(self, folder, ranks=1, **changes):
+        """Runs a prepared case and demands that it reaches its end."""
+        done = execute(folder, ranks, **changes)
+        self.assertEqual(done.code, 0, f"interphase on {ranks} ranks ended with {done.code}:\n{done.text[-4000:]}")
+        return done
+
+    @staticmethod
+    def edit(folder, file, pattern, replacement, count=1):
+        """Replaces `pattern` (a regular expression) in a file of the case; it must be there."""
+        path = os.path.join(folder, file)
+        text, found = re.subn(pattern, lambda _: replacement, read(path), count=count, flags=re.M)
+        if not found:
+            raise AssertionError(f"{pattern} is not in {path}")
+        write(path, text)
+
+    @staticmethod
+    def set_entry(folder, file, entry, value):
+        """Replaces an entry of an OpenFOAM dictionary, nested by '/'."""
+        path = os.path.join(folder, file)
+        write(path, foam_file.replaced(read(path), entry, str(value)))
