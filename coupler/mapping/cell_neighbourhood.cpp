@@ -76,6 +76,7 @@ CellNeighbourhood::CellNeighbourhood(const Communicator& comm, const MeshView& o
     const Candidates candidates = add_reaching_cells_of_others(own);
     find_neighbours(own);
     drop_unused_halo(candidates);
+    sort_into_octants(own);
 }
 
 CellNeighbourhood::Candidates CellNeighbourhood::add_reaching_cells_of_others(const MeshView& own)
@@ -171,6 +172,28 @@ void CellNeighbourhood::drop_unused_halo(const Candidates& candidates)
     exchange_.plan(wanted_of);  // those who want ask the owners: values flow backward along this plan
     const Scalars asked = exchange_.forward(wanted, 1);
     for (const double cell : asked) served_.push_back(static_cast<std::size_t>(cell));
+}
+
+void CellNeighbourhood::sort_into_octants(const MeshView& own)
+{
+    first_of_octants_.assign(1, 0);
+    for (std::size_t c = 0; c < own_count_; ++c)
+        for (int octant = 0; octant < 8; ++octant) {
+            // away from the planes between the eighths by a hair, where a reach that ends there has no weight
+            constexpr double hair = 1e-9;
+            Box eighth;
+            for (int axis = 0; axis < 3; ++axis) {
+                const double side = (octant >> axis & 1 ? 1 : -1) * own.extent[c][axis];
+                const double inner = own.centre[c][axis] + hair * side, outer = own.centre[c][axis] + (1 - hair) * side;
+                eighth(axis, 0) = std::min(inner, outer);
+                eighth(axis, 1) = std::max(inner, outer);
+            }
+            for (const int* n = neighbours_begin(c); n != neighbours_end(c); ++n) {
+                const auto other = static_cast<std::size_t>(*n);
+                if (overlap(eighth, reach_box(centre_[other], reach_[other]))) of_octants_.push_back(*n);
+            }
+            first_of_octants_.push_back(of_octants_.size());
+        }
 }
 
 void CellNeighbourhood::fill_halo(Scalars& values, int width) const

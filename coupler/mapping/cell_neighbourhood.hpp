@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "base/communicator.hpp"
@@ -30,6 +31,14 @@ public:
     const int* neighbours_begin(std::size_t cell) const { return neighbours_.data() + first_[cell]; }
     const int* neighbours_end(std::size_t cell) const { return neighbours_.data() + first_[cell + 1]; }
 
+    /// The neighbours whose reach touches the eighth of the cell that `point` is in: all that can hold a point there. On a
+    /// uniform grid these are 8 of the 27.
+    std::pair<const int*, const int*> neighbours_near(std::size_t cell, const Vector& point) const
+    {
+        const std::size_t list = 8 * cell + octant(cell, point);
+        return {of_octants_.data() + first_of_octants_[list], of_octants_.data() + first_of_octants_[list + 1]};
+    }
+
     /// Sets the halo's part of `values` [local_count() x width] to what the owners have. Collective.
     void fill_halo(Scalars& values, int width) const;
 
@@ -41,8 +50,15 @@ public:
 private:
     struct Candidates;
 
+    std::size_t octant(std::size_t cell, const Vector& point) const
+    {
+        const Vector& c = centre_[cell];
+        return (point[0] > c[0] ? 1u : 0u) + (point[1] > c[1] ? 2u : 0u) + (point[2] > c[2] ? 4u : 0u);
+    }
+
     Candidates add_reaching_cells_of_others(const MeshView& own);
     void find_neighbours(const MeshView& own);
+    void sort_into_octants(const MeshView& own);
     void drop_unused_halo(const Candidates& candidates);
 
     Communicator comm_;
@@ -52,6 +68,8 @@ private:
     Scalars volume_;
     std::vector<std::size_t> first_;
     std::vector<int> neighbours_;
+    std::vector<std::size_t> first_of_octants_;
+    std::vector<int> of_octants_;
     SparseExchange exchange_;     ///< from owners to those that hold halo copies
     std::vector<std::size_t> served_;  ///< own cells that others hold, ordered by rank
 };

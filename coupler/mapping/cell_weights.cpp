@@ -24,12 +24,13 @@ void CellWeights::spread_by_kernel(const Scalars& positions, const std::vector<i
         const Vector x(positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]);
         double total = 0;
         const auto own = static_cast<std::size_t>(own_cell[i]);
-        for (const int* n = cells_.neighbours_begin(own); n != cells_.neighbours_end(own); ++n) {
+        const auto [begin, end] = cells_.neighbours_near(own, x);
+        for (const int* n = begin; n != end; ++n) {
             const auto c = static_cast<std::size_t>(*n);
             const Vector& centre = cells_.centre(c);
             const Vector& reach = cells_.reach(c);
             const double dx = std::abs(x[0] - centre[0]), dy = std::abs(x[1] - centre[1]), dz = std::abs(x[2] - centre[2]);
-            if (dx >= reach[0] || dy >= reach[1] || dz >= reach[2]) continue;  // most of them
+            if (dx >= reach[0] || dy >= reach[1] || dz >= reach[2]) continue;
             const double weight =
                 (1 - dx / reach[0]) * (1 - dy / reach[1]) * (1 - dz / reach[2]) * cells_.volume(c);
             cell_.push_back(*n);

@@ -35,7 +35,8 @@ AssumedDrag assume_drag(double mass, double drag_rate, double held, const Vector
 /// The change of velocity over dt of a particle without contacts [m/s].
 Vector free_change(double mass, double drag_rate, const Vector& slip, const Vector& acceleration, double dt);
 
-/// 1 where the particle did not answer to the gas at all, 0 where it moved as a free one.
+/// 1 where the particle did not answer to the gas at all, or where nothing is known of it (`free_change` 0); 0 where it
+/// moved as a free one.
 double held_by_contacts(const Vector& change, const Vector& free_change);
 
 }  // namespace interphase

@@ -18,21 +18,22 @@ namespace interphase {
 struct FluidForce {
     float constant[3] = {0, 0, 0};  ///< s (k u + F_p) [N]
     float rate = 0;                 ///< s k [kg/s]
-    float withheld = 0;             ///< 1 - s
+    float share = 1;                ///< s: kept rather than 1 - s, which would lose it where drag is stiff
 
     FluidForce() = default;
     FluidForce(double mass, double drag_rate, const Vector& gas_velocity, const Vector& pressure_force, double dt_s)
     {
-        const double share = relaxed_share(drag_rate * dt_s / mass);
-        rate = static_cast<float>(share * drag_rate);
-        withheld = static_cast<float>(withheld_share(drag_rate * dt_s / mass));
+        const double relaxed = relaxed_share(drag_rate * dt_s / mass);
+        rate = static_cast<float>(relaxed * drag_rate);
+        share = static_cast<float>(relaxed);
         for (int axis = 0; axis < 3; ++axis)
-            constant[axis] = static_cast<float>(share * (drag_rate * gas_velocity[axis] + pressure_force[axis]));
+            constant[axis] = static_cast<float>(relaxed * (drag_rate * gas_velocity[axis] + pressure_force[axis]));
     }
 
     /// Replaces F in `force` by f, and adds the difference to `booked` [N].
     void apply(double* force, const double* velocity, double* booked) const
     {
+        const double withheld = 1.0 - share;
         for (int axis = 0; axis < 3; ++axis) {
             const double fluid = constant[axis] - rate * velocity[axis] - withheld * force[axis];
             booked[axis] += fluid;

@@ -12,22 +12,26 @@ namespace interphase {
 /// along when particles change rank or place, as plain bytes; a new particle starts with the defaults.
 struct ParticleCoupling {
     CellAddress home;                       ///< gas cell that held the centre
-    double pressure_force[3] = {0, 0, 0};   ///< of the last gas step [N]
     double assumed_impulse[3] = {0, 0, 0};  ///< of drag and pressure, by the gas solve [kg m/s]
-    double start_velocity[3] = {0, 0, 0};   ///< at the start of the gas step [m/s]
-    double free_change[3] = {0, 0, 0};      ///< velocity change it would see without contacts [m/s]
+
+    // only what the next step's assumption starts from, hence single precision
+    float pressure_force[3] = {0, 0, 0};  ///< of the last gas step [N]
+    float start_velocity[3] = {0, 0, 0};  ///< at the start of the gas step [m/s]
+    float free_change[3] = {0, 0, 0};     ///< velocity change it would see without contacts [m/s]
 };
 
-inline Vector to_vector(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
-
-inline void set(double (&v)[3], const Vector& value)
+template <class Number>
+Vector to_vector(const Number (&v)[3])
 {
-    v[0] = value[0];
-    v[1] = value[1];
-    v[2] = value[2];
+    return {v[0], v[1], v[2]};
+}
+
+template <class Number>
+void set(Number (&v)[3], const Vector& value)
+{
+    for (int axis = 0; axis < 3; ++axis) v[axis] = static_cast<Number>(value[axis]);
 }
 
 static_assert(std::is_trivially_copyable_v<ParticleCoupling>);
-static_assert(sizeof(ParticleCoupling) % sizeof(double) == 0);
 
 }  // namespace interphase

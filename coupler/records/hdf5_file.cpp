@@ -153,6 +153,7 @@ void Hdf5File::write_rows(const std::string& path, const std::string& unit, hid_
                                          H5P_DEFAULT, H5P_DEFAULT),
                               H5Dclose, path);
     write_unit(data_set, unit);
+    if (all_rows == 0) return;  // HDF5 refuses to write nothing
     const Hdf5Handle target(H5Dget_space(data_set), H5Sclose, "a data space");
     const Hdf5Handle source = space(shape_of(rows));
     if (rows > 0) {

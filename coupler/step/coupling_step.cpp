@@ -65,6 +65,7 @@ CouplingStep::CouplingStep(const Communicator& comm, const Settings& settings, G
 void CouplingStep::advance(double dt, int substeps)
 {
     solid_step_ = dt / substeps;
+    if (particle_count_ < 0) inspect_start();
     bring_particles_to_their_cells();
     map_voidage();
     map_drag(dt);
@@ -72,6 +73,13 @@ void CouplingStep::advance(double dt, int substeps)
     return_gas_to_particles(dt);
     move_particles(substeps);
     book();
+}
+
+void CouplingStep::inspect_start()
+{
+    const ParticleView particles = solids_.particles();
+    particle_count_ = comm_.sum(static_cast<long>(particles.size()));
+    comm_.fail_together(trouble(particles));  // before a value that is not finite spreads through the gas to other particles
 }
 
 void CouplingStep::bring_particles_to_their_cells()
@@ -165,28 +173,28 @@ void CouplingStep::map_drag(double dt)
     mapping_.to_particles(seen_by_cells, 4, seen_);
 
     drag_rates_.resize(visits_.visitors());
+    demands_.resize(settings_.two_way ? 4 * visits_.visitors() : 0);
     for (std::size_t i = 0; i < visits_.visitors(); ++i) {
+        const double* record = &visitors_[i * width];
         const double eps = seen_[4 * i];
-        const double slip = (vector_at(seen_, 4 * i + 1) - vector_at(visitors_, i * width + velocity)).norm();
-        const double d = visitors_[i * width + diameter];
+        const Vector own_velocity = vector_at(visitors_, i * width + velocity);
+        const double slip = (vector_at(seen_, 4 * i + 1) - own_velocity).norm();
+        const double d = record[diameter];
         const double reynolds = eps * gas_.density() * slip * d / gas_.viscosity();
         beyond_range_ += eps < law_.voidage_min || eps > law_.voidage_max || reynolds > law_.reynolds_max;
-        drag_rates_[i] = visitors_[i * width + volume] *
-                         drag_rate_per_volume(law_, eps, slip, d, gas_.density(), gas_.viscosity());
+        drag_rates_[i] =
+            record[volume] * drag_rate_per_volume(law_, eps, slip, d, gas_.density(), gas_.viscosity());
+        if (!settings_.two_way) continue;
+
+        const AssumedDrag drag = assume_drag(record[mass], drag_rates_[i], record[held],
+                                             vector_at(visitors_, i * width + acceleration), dt);
+        // kappa, and the part of the force that does not wait for the gas solve
+        demands_[4 * i] = drag.kappa;
+        put(&demands_[4 * i + 1],
+            drag.kappa * own_velocity + (drag.carried - vector_at(visitors_, i * width + pending)) / dt);
     }
     if (!settings_.two_way) return;
 
-    // kappa, and the part of the force that does not wait for the gas solve: kappa v + carried / dt - pending / dt
-    demands_.resize(4 * visits_.visitors());
-    for (std::size_t i = 0; i < visits_.visitors(); ++i) {
-        const double* record = &visitors_[i * width];
-        const AssumedDrag drag = assume_drag(record[mass], drag_rates_[i], record[held],
-                                             vector_at(visitors_, i * width + acceleration), dt);
-        demands_[4 * i] = drag.kappa;
-        put(&demands_[4 * i + 1],
-            drag.kappa * vector_at(visitors_, i * width + velocity) +
-                (drag.carried - vector_at(visitors_, i * width + pending)) / dt);
-    }
     const Scalars contents = mapping_.to_cells(demands_, 4);
     for (std::size_t c = 0; c < voidage_.size(); ++c) {
         const double per_volume = 1.0 / gas_.mesh().volume[c];
@@ -233,7 +241,7 @@ void CouplingStep::return_gas_to_particles(double dt)
     const ParticleView particles = solids_.particles();
     assumed_at_start_.setZero();
     for (std::size_t i = 0; i < particles.size(); ++i)
-        if (!homes_[i].known()) particles.fluid[i] = FluidForce{};
+        if (!homes_[i].known()) leave_without_gas(particles, i);
     std::size_t f = 0;
     for (const std::size_t i : visits_.order()) {
         const auto column = static_cast<Eigen::Index>(i);
@@ -259,6 +267,18 @@ void CouplingStep::return_gas_to_particles(double dt)
     }
 }
 
+void CouplingStep::leave_without_gas(const ParticleView& particles, std::size_t i)
+{
+    ParticleCoupling& own = particles.coupling[i];
+    particles.fluid[i] = FluidForce{};
+    // what the gas still owes for its last step with gas stays on the books until it comes back, or leaves for good
+    set(own.assumed_impulse, to_vector(own.assumed_impulse) - solid_step_ * particles.booked_force(i));
+    std::fill_n(particles.booked + 3 * i, 3, 0.0);
+    set(own.pressure_force, Vector::Zero());
+    set(own.free_change, Vector::Zero());
+    assumed_at_start_ += to_vector(own.assumed_impulse);
+}
+
 void CouplingStep::move_particles(int substeps)
 {
     stopwatch_.switch_to(Phase::waiting);
@@ -276,7 +296,7 @@ void CouplingStep::book()
     comm_.fail_together(trouble(particles));
 
     const long count = comm_.sum(static_cast<long>(particles.size()));
-    const bool fewer = particle_count_ >= 0 && count < particle_count_;
+    const bool fewer = count < particle_count_;
     if (fewer && !solids_.may_remove_particles())
         throw UserError(std::to_string(particle_count_ - count) + " of " + std::to_string(particle_count_) +
                             " particles were lost in this gas step",
@@ -298,6 +318,7 @@ void CouplingStep::book()
 
 std::optional<std::string> CouplingStep::trouble(const ParticleView& particles) const
 {
+    if (std::isfinite(particles.position.sum() + particles.velocity.sum())) return gas_.trouble();
     for (std::size_t i = 0; i < particles.size(); ++i) {
         const auto column = static_cast<Eigen::Index>(i);
         if (particles.position.col(column).allFinite() && particles.velocity.col(column).allFinite()) continue;

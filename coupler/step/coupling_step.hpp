@@ -42,11 +42,13 @@ public:
     std::size_t doubles_sent() const;
 
 private:
+    void inspect_start();
     void bring_particles_to_their_cells();
     void map_voidage();
     void map_drag(double dt);
     void solve_gas(double dt);
     void return_gas_to_particles(double dt);
+    void leave_without_gas(const ParticleView& particles, std::size_t i);
     void move_particles(int substeps);
     void book();
 

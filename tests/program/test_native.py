@@ -47,7 +47,6 @@ fix walls5 all wall/gran model hooke/stiffness tangential history primitive type
 fix walls6 all wall/gran model hooke/stiffness tangential history primitive type 2 zplane ${edge} absolute_damping on
 fix gravity all gravity 9.81 vector 0.0 0.0 -1.0
 fix move all nve/sphere
-compute         touching all contact/atom
 dump            record all custom 1000 dem/record.dump id x y z vx vy vz omegax omegay omegaz fx fy fz
 dump_modify     record sort id format "%d %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g"
 thermo_style    custom step atoms ke
@@ -139,6 +138,7 @@ class NativeDem(support.ProgramTest):
         support.write(
             os.path.join(folder, "system/couplingDict"), COUPLING.format(step=SOLID_STEP, variables=listed)
         )
+        support.write(os.path.join(folder, "system/decomposeParDict"), f"numberOfSubdomains {ranks}; method simple;")
         for rank in range(ranks if ranks > 1 else 0):
             os.makedirs(os.path.join(folder, f"processor{rank}"))
         self.run_case(folder, ranks)

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <sstream>
+#include <optional>
 
 #include "IFstream.H"
 #include "OSspecific.H"
@@ -24,23 +24,19 @@ namespace interphase {
 
 namespace {
 
-/// What OpenFOAM prints goes to a file: the terminal is for the run's progress.
+/// What OpenFOAM prints on the first rank goes to a file: the terminal is for the run's progress.
 class OutputToLog {
 public:
-    OutputToLog() : console_(std::cout.rdbuf(early_.rdbuf())) {}
-    ~OutputToLog() { std::cout.rdbuf(console_); }
-
-    void open(const std::string& path)
+    explicit OutputToLog(bool first_rank) : console_(std::cout.rdbuf())
     {
-        file_.open(path);
-        file_ << early_.str();
+        if (first_rank) file_.open("log.openfoam");
         std::cout.rdbuf(file_.rdbuf());
     }
+    ~OutputToLog() { std::cout.rdbuf(console_); }
 
     void flush() { file_.flush(); }
 
 private:
-    std::stringstream early_;
     std::ofstream file_;
     std::streambuf* console_;
 };
@@ -68,12 +64,18 @@ void refuse_wrong_decomposition(const std::filesystem::path& folder)
     if (ranks == 1) return;
     int parts = 0;
     while (std::filesystem::is_directory(folder / ("processor" + std::to_string(parts)))) ++parts;
-    if (parts != ranks && parts > 0)
+    const std::string decompose = "run `decomposePar -force` with numberOfSubdomains " + std::to_string(ranks) +
+                                  " in system/decomposeParDict (tools/run --ranks does both)";
+    if (parts == 0)
+        throw UserError("the run has " + std::to_string(ranks) + " ranks, and the case is not decomposed: there is no processor0",
+                        folder.string(), decompose + ", or start 1 rank");
+    if (parts != ranks)
         throw UserError("the case is decomposed into " + std::to_string(parts) + " parts, and the run has " +
                             std::to_string(ranks) + " ranks",
-                        folder.string(),
-                        "run `decomposePar -force` with numberOfSubdomains " + std::to_string(ranks) +
-                            " in system/decomposeParDict, or start " + std::to_string(parts) + " ranks");
+                        folder.string(), decompose + ", or start " + std::to_string(parts) + " ranks");
+    if (!std::filesystem::is_regular_file(folder / "system/decomposeParDict"))
+        throw UserError("system/decomposeParDict is missing, which OpenFOAM wants in a run on several ranks",
+                        folder.string(), "add it, with numberOfSubdomains " + std::to_string(ranks) + " and a method");
 }
 
 /// What a user may set in an OpenFOAM case and this gas does not have, so that it is not passed over in silence.
@@ -98,8 +100,11 @@ void refuse_what_is_not_solved(const Foam::Time& time)
 }  // namespace
 
 struct FoamCase::Parts {
-    OutputToLog output;
+    // An argList takes the whole process with it when it goes, and with exit code 0, whatever went wrong: left alive.
+    ~Parts() { static_cast<void>(args.release()); }
+
     std::unique_ptr<Foam::argList> args;
+    std::optional<OutputToLog> output;
     std::unique_ptr<Foam::Time> time;
     std::unique_ptr<Foam::fvMesh> mesh;
 };
@@ -122,24 +127,31 @@ FoamCase::FoamCase(int& argc, char**& argv) : parts_(std::make_unique<Parts>())
 {
     int ranks = 1;
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    const auto given = [&](const char* option) {
+        return std::any_of(argv + 1, argv + argc, [option](const char* a) { return std::string(a) == option; });
+    };
+    if (given("-help")) Foam::argList(argc, argv);  // shows it and exits
     const auto folder = case_folder(argc, argv);
     refuse_folder_without_case(folder);
     refuse_wrong_decomposition(folder);
-    const bool parallel = std::any_of(argv + 1, argv + argc, [](const char* a) { return std::string(a) == "-parallel"; });
-    if (ranks > 1 && !parallel)
+    if (ranks > 1 && !given("-parallel"))
         throw UserError("the run has " + std::to_string(ranks) + " ranks, and no option -parallel", "the command line",
                         "add -parallel");
+    if (ranks == 1 && given("-parallel"))
+        throw UserError("the option -parallel, and one rank only", "the command line",
+                        "leave -parallel away, or start more ranks: mpirun -np N (srun -n N) before the program");
 
     Foam::argList::noBanner();
+    // What it refuses it says itself, and ends all ranks: an exception would come from one rank and leave the others waiting.
+    parts_->args = std::make_unique<Foam::argList>(argc, argv);
     Foam::FatalError.throwExceptions();
     Foam::FatalIOError.throwExceptions();
-    parts_->args = std::make_unique<Foam::argList>(argc, argv);
     std::filesystem::current_path(std::string(parts_->args->globalPath()));
-    if (Foam::UPstream::master()) parts_->output.open("log.openfoam");
+    parts_->output.emplace(Foam::UPstream::master());
     with_foam_errors([this] { parts_->time = std::make_unique<Foam::Time>(Foam::Time::controlDictName, *parts_->args); });
 }
 
-FoamCase::~FoamCase() { parts_->output.flush(); }
+FoamCase::~FoamCase() { parts_->output->flush(); }
 
 Settings FoamCase::read_settings() const
 {
@@ -203,7 +215,7 @@ bool FoamCase::write_due() const { return parts_->time->writeTime(); }
 void FoamCase::write()
 {
     with_foam_errors([&] { parts_->time->writeNow(); });
-    parts_->output.flush();
+    parts_->output->flush();
 }
 
 }  // namespace interphase

@@ -21,7 +21,9 @@ MeshPart::MeshPart(const Foam::fvMesh& mesh) : mesh_(mesh)
 {
     measure_cells();
     collect_sides();
-    mesh_.cellTree();  // built by all ranks together, before a search by one of them asks for it
+    // what a search needs OpenFOAM builds on demand, with all ranks taking part: now, not when one of them searches
+    mesh_.tetBasePtIs();
+    mesh_.cellTree();
 }
 
 void MeshPart::measure_cells()
@@ -60,13 +62,13 @@ void MeshPart::collect_sides()
     {
         for (const Foam::label face : mesh_.cells()[c]) {
             const bool owned = mesh_.faceOwner()[face] == c;
-            const Vector normal = to_eigen(mesh_.faceAreas()[face]).normalized();
+            const Vector outward = (owned ? 1 : -1) * to_eigen(mesh_.faceAreas()[face]).normalized();
             CellAddress beyond;
             if (face < inner)
                 beyond = {me, owned ? mesh_.faceNeighbour()[face] : mesh_.faceOwner()[face]};
             else
                 beyond = address_beyond(face);
-            sides_.push_back({to_eigen(mesh_.faceCentres()[face]), owned ? normal : Vector(-normal), beyond});
+            sides_.push_back({outward, outward.dot(to_eigen(mesh_.faceCentres()[face])), beyond});
         }
         first_side_.push_back(sides_.size());
     }
@@ -82,7 +84,7 @@ CellAddress MeshPart::walk(const Vector& point, int start) const
         const Side* exit = nullptr;
         bool outside = false;
         for (std::size_t s = first_side_[cell]; s < first_side_[cell + 1]; ++s) {
-            const double distance = (point - sides_[s].centre).dot(sides_[s].outward);
+            const double distance = sides_[s].distance(point);
             if (distance <= 0) continue;
             outside = true;
             if (distance > farthest && sides_[s].beyond.known()) {

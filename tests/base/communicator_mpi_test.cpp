@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reductions over ranks, and that a problem on any rank stops all of them with one message.
+#include "base/communicator.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/user_error.hpp"
+
+namespace {
+
+using namespace interphase;
+
+const Communicator& world()
+{
+    static const Communicator comm;
+    return comm;
+}
+
+/// What this rank threw; empty where it did not.
+std::string message_of(const std::optional<std::string>& problem)
+{
+    try {
+        world().fail_together(problem);
+    } catch (const UserError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Communicator, ReducesOverAllRanks)
+{
+    const int n = world().size();
+    const double mine = world().rank() + 1;
+    EXPECT_EQ(world().sum(mine), 0.5 * n * (n + 1));
+    EXPECT_EQ(world().sum(static_cast<long>(mine)), n * (n + 1) / 2);
+    EXPECT_EQ(world().max(mine), n);
+    EXPECT_EQ(world().min(mine), 1);
+    EXPECT_EQ(world().sum(Vector(mine, 1, 0)), Vector(0.5 * n * (n + 1), n, 0));
+    EXPECT_EQ(world().max(Vector(mine, -mine, 7)), Vector(n, -1, 7));
+    EXPECT_EQ(world().min(Vector(mine, -mine, 7)), Vector(1, -n, 7));
+
+    Scalars several{mine, 2 * mine};
+    world().sum(several);
+    EXPECT_EQ(several, (Scalars{0.5 * n * (n + 1), 1.0 * n * (n + 1)}));
+}
+
+TEST(Communicator, GathersInRankOrder)
+{
+    Scalars expected;
+    for (int rank = 0; rank < world().size(); ++rank) expected.insert(expected.end(), {1.0 * rank, -1.0 * rank});
+    const double mine = world().rank();
+    EXPECT_EQ(world().all_gather({mine, -mine}), expected);
+}
+
+TEST(Communicator, AnyIsTrueWhereOneIs)
+{
+    EXPECT_FALSE(world().any(false));
+    EXPECT_TRUE(world().any(world().rank() == world().size() - 1));
+}
+
+TEST(FailTogether, StaysQuietWithoutAProblem) { EXPECT_NO_THROW(world().fail_together(std::nullopt)); }
+
+TEST(FailTogether, AllRanksThrowTheOnlyFailingRanksMessage)
+{
+    const int last = world().size() - 1;
+    const auto problem = world().rank() == last ? std::optional<std::string>("a problem on the last rank") : std::nullopt;
+    EXPECT_EQ(message_of(problem), "a problem on the last rank");
+}
+
+TEST(FailTogether, OfSeveralAllRanksThrowTheLowestRanksMessage)
+{
+    // of different lengths, so that a receiver must take the sender's
+    const std::string mine = "problem " + std::string(static_cast<std::size_t>(10 * world().rank()), 'x') + "!";
+    const int lowest = world().size() / 2;
+    const std::string expected = "problem " + std::string(static_cast<std::size_t>(10 * lowest), 'x') + "!";
+    EXPECT_EQ(message_of(world().rank() >= lowest ? std::optional<std::string>(mine) : std::nullopt), expected);
+}
+
+}  // namespace

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Every particle finds its gas cell wherever it goes, and its own data come back from there; what is sent for that follows
+// the number of particles whose cell is on another rank, and is nothing where the decompositions match.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "exchange/home_search.hpp"
+#include "exchange/visits.hpp"
+#include "support/box_mesh.hpp"
+
+namespace {
+
+using namespace interphase;
+using test::BoxMesh;
+
+const Communicator& world()
+{
+    static const Communicator comm;
+    return comm;
+}
+
+/// 3 x 4 x 60 cells in slabs along z: higher than the longest walk.
+BoxMesh tall_box()
+{
+    return BoxMesh(world(), {test::even_planes(0, 3, 3), test::graded_planes(-1, 1, 4, 1.3), test::even_planes(0, 60, 60)},
+                   2);
+}
+
+class Cloud {
+public:
+    explicit Cloud(unsigned seed) : random_(seed + 17u * static_cast<unsigned>(world().rank())) {}
+
+    /// Anywhere within a box.
+    void scatter(std::size_t count, const Box& within)
+    {
+        points.resize(3, static_cast<Eigen::Index>(count));
+        homes.assign(count, CellAddress{});
+        for (auto column : points.colwise())
+            for (int axis = 0; axis < 3; ++axis) column[axis] = uniform(within(axis, 0), within(axis, 1));
+    }
+
+    /// By up to `reach` per axis, but not out of the box.
+    void move(double reach, const Box& within)
+    {
+        for (auto column : points.colwise())
+            for (int axis = 0; axis < 3; ++axis)
+                column[axis] =
+                    std::clamp(column[axis] + uniform(-reach, reach), within(axis, 0) + 1e-9, within(axis, 1) - 1e-9);
+    }
+
+    VectorsView view() const { return {points.data(), 3, points.cols()}; }
+    std::size_t size() const { return homes.size(); }
+    Vector point(std::size_t i) const { return points.col(static_cast<Eigen::Index>(i)); }
+
+    std::size_t abroad() const
+    {
+        std::size_t count = 0;
+        for (const CellAddress& home : homes) count += home.known() && home.rank != world().rank();
+        return count;
+    }
+
+    Eigen::Matrix3Xd points;
+    std::vector<CellAddress> homes;
+
+private:
+    double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+
+    std::mt19937 random_;
+};
+
+void expect_at_home(const Cloud& cloud, const BoxMesh& mesh)
+{
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+        const CellAddress expected = mesh.address_of(cloud.point(i));
+        ASSERT_EQ(cloud.homes[i].rank, expected.rank) << cloud.point(i).transpose();
+        ASSERT_EQ(cloud.homes[i].cell, expected.cell) << cloud.point(i).transpose();
+    }
+}
+
+TEST(HomeSearch, FindsHomesNotKnownBefore)
+{
+    const BoxMesh mesh = tall_box();
+    HomeSearch search(world(), mesh);
+    Cloud cloud(1);
+    cloud.scatter(200, mesh.whole());
+    search.update(cloud.view(), cloud.homes);
+    expect_at_home(cloud, mesh);
+}
+
+TEST(HomeSearch, FollowsSmallMovesFromCellToCellAndRankToRank)
+{
+    const BoxMesh mesh = tall_box();
+    HomeSearch search(world(), mesh);
+    Cloud cloud(2);
+    cloud.scatter(200, mesh.whole());
+    for (int step = 0; step < 50; ++step) {
+        cloud.move(0.7, mesh.whole());
+        search.update(cloud.view(), cloud.homes);
+        expect_at_home(cloud, mesh);
+    }
+}
+
+TEST(HomeSearch, FollowsJumpsFartherThanAWalkReaches)
+{
+    const BoxMesh mesh = tall_box();
+    HomeSearch search(world(), mesh);
+    Cloud cloud(3);
+    for (int step = 0; step < 10; ++step) {
+        const std::vector<CellAddress> last = cloud.homes;
+        cloud.scatter(100, mesh.whole());
+        if (step > 0) cloud.homes = last;
+        search.update(cloud.view(), cloud.homes);
+        expect_at_home(cloud, mesh);
+    }
+}
+
+TEST(HomeSearch, KnownAndUnknownHomesMayMix)
+{
+    const BoxMesh mesh = tall_box();
+    HomeSearch search(world(), mesh);
+    Cloud cloud(4);
+    cloud.scatter(100, mesh.whole());
+    search.update(cloud.view(), cloud.homes);
+    cloud.move(1.5, mesh.whole());
+    for (std::size_t i = 0; i < cloud.size(); i += 3) cloud.homes[i] = CellAddress{};  // inserted ones
+    search.update(cloud.view(), cloud.homes);
+    expect_at_home(cloud, mesh);
+}
+
+TEST(HomeSearch, OutsideThereIsNoHomeAndTheWayBackIsFound)
+{
+    const BoxMesh mesh = tall_box();
+    HomeSearch search(world(), mesh);
+    Cloud cloud(5);
+    cloud.scatter(60, mesh.whole());
+    search.update(cloud.view(), cloud.homes);
+
+    const Eigen::Matrix3Xd inside = cloud.points;
+    for (Eigen::Index i = 0; i < inside.cols(); ++i) {  // out through each of the six sides, near and far
+        const int axis = static_cast<int>(i % 3);
+        const double beyond = i % 2 ? 1e-6 : 100.0;
+        cloud.points(axis, i) = i % 4 < 2 ? mesh.whole()(axis, 0) - beyond : mesh.whole()(axis, 1) + beyond;
+    }
+    search.update(cloud.view(), cloud.homes);
+    for (const CellAddress& home : cloud.homes) EXPECT_FALSE(home.known());
+
+    cloud.points = inside;
+    search.update(cloud.view(), cloud.homes);
+    expect_at_home(cloud, mesh);
+}
+
+TEST(HomeSearch, PointsOnFacesBelongToACellThatTouchesThem)
+{
+    const BoxMesh mesh = tall_box();
+    HomeSearch search(world(), mesh);
+    Cloud cloud(6);
+    cloud.scatter(61, mesh.whole());
+    for (int k = 0; k <= 60; ++k) cloud.points.col(k) = Vector(1.0, 0.1, k);  // between cells, ranks, and on the rim
+    for (int repeat = 0; repeat < 2; ++repeat) {                             // searched for, and from the last home
+        search.update(cloud.view(), cloud.homes);
+        for (std::size_t i = 0; i < cloud.size(); ++i) EXPECT_TRUE(mesh.holds(cloud.homes[i], cloud.point(i))) << i;
+    }
+}
+
+TEST(HomeSearch, NotANumberIsInNoCell)
+{
+    const BoxMesh mesh = tall_box();
+    HomeSearch search(world(), mesh);
+    Cloud cloud(7);
+    cloud.scatter(1, mesh.whole());
+    cloud.points(1, 0) = std::nan("");
+    search.update(cloud.view(), cloud.homes);
+    EXPECT_FALSE(cloud.homes[0].known());
+}
+
+TEST(HomeSearch, ARankWithoutParticlesTakesPart)
+{
+    const BoxMesh mesh = tall_box();
+    HomeSearch search(world(), mesh);
+    Cloud cloud(8);
+    cloud.scatter(world().is_master() ? 30 : 0, mesh.whole());
+    search.update(cloud.view(), cloud.homes);
+    expect_at_home(cloud, mesh);
+}
+
+/// A particle's record: who it is, and from where.
+Scalars records_of(const Visits& visits, int width)
+{
+    Scalars records;
+    for (const std::size_t i : visits.order())
+        for (int k = 0; k < width; ++k) records.push_back(1e6 * world().rank() + 10.0 * static_cast<double>(i) + k);
+    return records;
+}
+
+TEST(Visits, RoundTripReturnsEveryParticlesOwnData)
+{
+    const BoxMesh mesh = tall_box();
+    HomeSearch search(world(), mesh);
+    Visits visits(world());
+    Cloud cloud(9);
+    cloud.scatter(300, mesh.whole());
+    for (int step = 0; step < 3; ++step) {
+        cloud.move(5.0, mesh.whole());
+        if (step == 1)  // some are outside
+            for (Eigen::Index i = 0; i < cloud.points.cols(); i += 7) cloud.points(0, i) = -1;
+        search.update(cloud.view(), cloud.homes);
+        visits.plan(cloud.homes);
+
+        // the hosts see the positions, and that each is in the cell it asks for
+        Scalars positions, arrived;
+        for (const std::size_t i : visits.order()) {
+            const Vector x = cloud.point(i);
+            positions.insert(positions.end(), x.data(), x.data() + 3);
+        }
+        visits.bring(positions, 3, arrived);
+        ASSERT_EQ(arrived.size(), 3 * visits.visitors());
+        for (std::size_t v = 0; v < visits.visitors(); ++v)
+            EXPECT_TRUE(mesh.holds({world().rank(), visits.cells()[v]}, Eigen::Map<const Vector>(&arrived[3 * v])));
+
+        // and what they answer comes back to the one that asked
+        Scalars records = records_of(visits, 2), answers;
+        const Scalars expected = records;
+        visits.bring(records, 2, arrived);
+        visits.take_back(arrived, 2, answers);
+        EXPECT_EQ(answers, expected);
+
+        std::size_t known = 0;
+        for (const CellAddress& home : cloud.homes) known += home.known();
+        EXPECT_EQ(visits.order().size(), known);
+        EXPECT_EQ(world().sum(static_cast<long>(visits.visitors())), world().sum(static_cast<long>(known)));
+    }
+}
+
+/// Doubles that this rank sends in a step: homes, a record of eight out and one of seven back.
+std::size_t doubles_of_a_step(HomeSearch& search, Cloud& cloud)
+{
+    const std::size_t before = search.doubles_sent();
+    search.update(cloud.view(), cloud.homes);
+    Visits visits(world());
+    visits.plan(cloud.homes);
+    Scalars records = records_of(visits, 8), visitors, answers, fluid;
+    visits.bring(records, 8, visitors);
+    answers.resize(7 * visits.visitors());
+    visits.take_back(answers, 7, fluid);
+    return search.doubles_sent() - before + visits.doubles_sent();
+}
+
+TEST(MessageVolume, IsZeroWhereTheDecompositionsMatch)
+{
+    const BoxMesh mesh = tall_box();
+    HomeSearch search(world(), mesh);
+    Cloud cloud(10);
+    cloud.scatter(500, mesh.bounds());
+    EXPECT_EQ(doubles_of_a_step(search, cloud), 0u);  // searched for
+    cloud.move(0.3, mesh.bounds());
+    EXPECT_EQ(doubles_of_a_step(search, cloud), 0u);  // followed
+}
+
+/// `staying` particles of each rank in its own part of the mesh, `crossing` in the part of the rank after it.
+Cloud partly_abroad(std::size_t staying, std::size_t crossing, const BoxMesh& mesh)
+{
+    const Box mine = mesh.bounds();
+    const Scalars boxes = world().all_gather(Scalars(mine.data(), mine.data() + mine.size()));
+    const Box next = Eigen::Map<const Box>(&boxes[static_cast<std::size_t>(6 * ((world().rank() + 1) % world().size()))]);
+    Cloud home(11), abroad(12);
+    home.scatter(staying, mesh.bounds());
+    abroad.scatter(crossing, next);
+    Cloud all(13);
+    all.scatter(staying + crossing, mesh.bounds());
+    all.points << home.points, abroad.points;
+    return all;
+}
+
+TEST(MessageVolume, FollowsTheParticlesThatCrossNotTheirTotal)
+{
+    const BoxMesh mesh = tall_box();
+    const auto settled_volume = [&](std::size_t staying, std::size_t crossing) {
+        HomeSearch search(world(), mesh);
+        Cloud cloud = partly_abroad(staying, crossing, mesh);
+        doubles_of_a_step(search, cloud);  // homes become known
+        EXPECT_EQ(cloud.abroad(), world().size() > 1 ? crossing : 0u);
+        return static_cast<long>(doubles_of_a_step(search, cloud));
+    };
+    const long few = world().sum(settled_volume(100, 10));
+    EXPECT_EQ(world().sum(settled_volume(1000, 10)), few);  // ten times as many stay
+    EXPECT_EQ(world().sum(settled_volume(100, 20)), 2 * few);
+    // a crossing particle: position and cell out, address back; the cell's number; eight out, seven back
+    const long crossing = world().size() > 1 ? 10L * world().size() : 0L;
+    EXPECT_EQ(few, crossing * (4 + 2 + 1 + 8 + 7));
+}
+
+}  // namespace

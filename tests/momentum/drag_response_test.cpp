@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A particle's answer to drag over a gas step, exact for any ratio of step to relaxation time: the impulse that the gas
+// solve assumes, and what the substeps apply.
+#include "momentum/drag_response.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "momentum/fluid_force.hpp"
+
+namespace {
+
+using namespace interphase;
+
+/// A few operations, each to 1e-16.
+constexpr double rounding = 1e-14;
+
+/// FluidForce keeps its coefficients in single precision: half a unit in its last place, 6e-8, and two of them meet.
+constexpr double single = 2e-7;
+
+const double ratios[] = {1e-6, 1e-4, 1e-2, 0.1, 1.0, 10.0, 1e2, 1e4, 1e6};
+
+TEST(RelaxedShare, HasItsLimits)
+{
+    EXPECT_EQ(relaxed_share(0), 1.0);
+    EXPECT_EQ(withheld_share(0), 0.0);
+    EXPECT_NEAR(relaxed_share(1), 1 - std::exp(-1.0), rounding);
+    EXPECT_NEAR(relaxed_share(1e6) * 1e6, 1.0, rounding);   // (1 - e^-x)/x -> 1/x
+    EXPECT_NEAR(relaxed_share(1e300) * 1e300, 1.0, rounding);
+    EXPECT_EQ(withheld_share(1e300), 1.0);
+}
+
+TEST(RelaxedShare, IsAccurateAtEverySize)
+{
+    for (double x = 1e-16; x < 1e3; x *= 1.07) {
+        // in extended precision; the series where that cancels, up to x^4: the fifth is below 1e-20 there
+        const long double y = x;
+        const long double withheld = x < 1e-3 ? y / 2 - y * y / 6 + y * y * y / 24 - y * y * y * y / 120
+                                              : 1 + std::expm1(-y) / y;
+        EXPECT_NEAR(withheld_share(x) / static_cast<double>(withheld), 1.0, 1e-13) << x;  // 1 - share cancels two digits
+        EXPECT_NEAR(relaxed_share(x) / static_cast<double>(1 - withheld), 1.0, rounding) << x;
+    }
+}
+
+TEST(AssumedDrag, OfAFreeParticleIsTheImpulseOfTheExactSolution)
+{
+    const double m = 3e-5, dt = 2e-3;
+    const Vector u(1.2, -0.4, 3.0), v(0.1, 0.2, -0.5), a(0, 2.0, -9.81);
+    for (const double x : ratios) {
+        const double k = x * m / dt;
+        // m dv/dt = k (u - v) + m a, dissolved in extended precision; drag's impulse is what gravity's does not explain
+        const long double gone = -std::expm1(-static_cast<long double>(x));
+        const Vector settled = u + m / k * a;
+        const Vector change = static_cast<double>(gone) * (settled - v);
+        const Vector drag = m * (change - dt * a);
+        const AssumedDrag assumed = assume_drag(m, k, 0.0, a, dt);
+        // for small x, `drag` above is a difference of terms that are 1/x times as large
+        const double tolerance = rounding * (1 + 1 / x) * drag.norm();
+        EXPECT_LT((assumed.impulse(u, v, dt) - drag).norm(), tolerance) << x;
+        EXPECT_GT(assumed.kappa, 0);
+        EXPECT_LE(assumed.kappa, k);
+    }
+}
+
+TEST(AssumedDrag, OfAHeldParticleIsTheLawsForce)
+{
+    const double m = 3e-5, dt = 2e-3;
+    const Vector u(1.2, -0.4, 3.0), v(0.1, 0.2, -0.5);
+    for (const double x : ratios) {
+        const double k = x * m / dt;
+        const Vector impulse = assume_drag(m, k, 1.0, Vector(0, 0, -9.81), dt).impulse(u, v, dt);
+        EXPECT_LT((impulse - k * dt * (u - v)).norm(), rounding * impulse.norm()) << x;
+    }
+}
+
+TEST(AssumedDrag, WithoutDragThereIsNone)
+{
+    const AssumedDrag none = assume_drag(3e-5, 0.0, 0.0, Vector(0, 0, -9.81), 2e-3);
+    EXPECT_EQ(none.kappa, 0);
+    EXPECT_EQ(none.carried, Vector::Zero());
+}
+
+TEST(HeldByContacts, TellsFreeFromHeld)
+{
+    const Vector expected(0.1, 0, -0.3);
+    EXPECT_EQ(held_by_contacts(expected, expected), 0.0);
+    EXPECT_EQ(held_by_contacts(Vector::Zero(), expected), 1.0);
+    EXPECT_EQ(held_by_contacts(-expected, expected), 1.0);     // pushed back: not more than held
+    EXPECT_EQ(held_by_contacts(3 * expected, expected), 0.0);  // pushed along: not less than free
+    EXPECT_NEAR(held_by_contacts(0.25 * expected, expected), 0.75, rounding);
+    EXPECT_EQ(held_by_contacts(Vector::Zero(), Vector::Zero()), 1.0);  // a new particle: the safe guess
+}
+
+TEST(FreeChange, IsTheExactSolutions)
+{
+    const double m = 3e-5, dt = 2e-3;
+    const Vector u(1.2, -0.4, 3.0), v(0.1, 0.2, -0.5), a(0, 2.0, -9.81);
+    for (const double x : ratios) {
+        const double k = x * m / dt;
+        const Vector exact = -std::expm1(-x) * (u + m / k * a - v);
+        EXPECT_LT((free_change(m, k, u - v, a, dt) - exact).norm(), rounding * exact.norm() * (1 + 1e-9 / x)) << x;
+    }
+}
+
+/// One substep without a drift, as an integrator does it: the velocity changes by f dt/m.
+Vector after(const FluidForce& fluid, double mass, double dt, Vector v, const Vector& others, Vector* booked = nullptr)
+{
+    Vector force = others, fluid_force = Vector::Zero();
+    fluid.apply(force.data(), v.data(), fluid_force.data());
+    if (booked) *booked += fluid_force;
+    return v + dt / mass * force;
+}
+
+TEST(FluidForce, DecaysExactlyAtAnyRatioOfStepToRelaxationTime)
+{
+    const double m = 3e-5, dt = 2e-5;
+    const Vector u(1.2, -0.4, 3.0), v(0.1, 0.2, -0.5);
+    for (const double x : ratios) {
+        const FluidForce fluid(m, x * m / dt, u, Vector::Zero(), dt);
+        const Vector change = after(fluid, m, dt, v, Vector::Zero()) - v;
+        const Vector exact = -std::expm1(-x) * (u - v);
+        EXPECT_LT((change - exact).norm(), single * (u.norm() + v.norm()) * -std::expm1(-x)) << x;
+    }
+}
+
+TEST(FluidForce, SettlesAtTheTerminalVelocityAtAnyRatio)
+{
+    const double m = 3e-5, dt = 2e-5;
+    const Vector u(0.3, 0, 1.0), g(0, 0, -9.81), pressure_force = -0.1 * m * g;
+    for (const double x : ratios) {
+        const double k = x * m / dt;
+        const Vector settling = (m * g + pressure_force) / k;  // relative to the gas
+        const FluidForce fluid(m, k, u, pressure_force, dt);
+        // at the terminal velocity nothing changes: the change is that of a slip off by single precision
+        const Vector terminal = u + settling;
+        const Vector change = after(fluid, m, dt, terminal, m * g) - terminal;
+        EXPECT_LT(change.norm(), -std::expm1(-x) * single * (settling.norm() + terminal.norm() + u.norm())) << x;
+        if (x < 1) continue;
+        Vector v = Vector::Zero();
+        for (int step = 0; step < 60; ++step) v = after(fluid, m, dt, v, m * g);
+        EXPECT_LT((v - terminal).norm(), single * (settling.norm() + terminal.norm() + u.norm())) << x;
+    }
+}
+
+TEST(FluidForce, TheSettlingSlipItselfIsRight)
+{
+    // in gas at rest the slip is all there is, however small it is against g dt
+    const double m = 3e-5, dt = 2e-5;
+    const Vector g(0, 0, -9.81);
+    for (const double x : ratios) {
+        if (x < 1) continue;
+        const double k = x * m / dt;
+        const FluidForce fluid(m, k, Vector::Zero(), Vector::Zero(), dt);
+        Vector v = Vector::Zero();
+        for (int step = 0; step < 60; ++step) v = after(fluid, m, dt, v, m * g);
+        EXPECT_NEAR(v.z() * k / (m * g.z()), 1.0, single) << x;
+    }
+}
+
+TEST(FluidForce, SubstepsComposeToTheExactSolution)
+{
+    const double m = 3e-5, dt = 2e-3;
+    const int substeps = 40;
+    const Vector u(1.2, -0.4, 3.0), v(0.1, 0.2, -0.5), a(0, 2.0, -9.81);
+    for (const double x : {1e-3, 1e-1, 1.0, 10.0, 1e3}) {
+        const double k = x * m / dt;
+        const FluidForce fluid(m, k, u, Vector::Zero(), dt / substeps);
+        Vector now = v, booked = Vector::Zero();
+        for (int step = 0; step < substeps; ++step) now = after(fluid, m, dt / substeps, now, m * a, &booked);
+        const Vector exact = v - std::expm1(-x) * (u + m / k * a - v);
+        EXPECT_LT((now - exact).norm(), single * (u.norm() + v.norm() + m / k * a.norm())) << x;
+        // what was booked is what the gas solve assumed of a free particle, and to the last bits what the particle took
+        const Vector impulse = dt / substeps * booked;
+        EXPECT_LT((impulse - assume_drag(m, k, 0, a, dt).impulse(u, v, dt)).norm(), single * m * (4 + a.norm() * dt)) << x;
+        EXPECT_LT((impulse + m * dt * a - m * (now - v)).norm(), 100 * rounding * m * 4) << x;
+    }
+}
+
+TEST(FluidForce, ByDefaultDoesNothing)
+{
+    const Vector others(1, -2, 3);
+    Vector booked = Vector::Zero();
+    EXPECT_EQ(after(FluidForce{}, 2.0, 0.5, Vector(7, 7, 7), others, &booked), Vector(7, 7, 7) + 0.25 * others);
+    EXPECT_EQ(booked, Vector::Zero());
+}
+
+}  // namespace

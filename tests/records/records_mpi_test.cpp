@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// results.h5 and particles.h5 read back, with HDF5 itself, as they were written: by one rank and by all together, and the
+// XDMF that leads ParaView to every snapshot.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <numeric>
+#include <sstream>
+
+#include "base/user_error.hpp"
+#include "records/particle_snapshots.hpp"
+#include "records/results.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace {
+
+using namespace interphase;
+
+const Communicator& world()
+{
+    static const Communicator comm;
+    return comm;
+}
+
+class OpenFile {
+public:
+    explicit OpenFile(const std::string& path) : file_(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path) {}
+
+    std::vector<hsize_t> shape(const std::string& path) const
+    {
+        const Hdf5Handle set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, path);
+        const Hdf5Handle space(H5Dget_space(set), H5Sclose, path);
+        std::vector<hsize_t> extents(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
+        H5Sget_simple_extent_dims(space, extents.data(), nullptr);
+        return extents;
+    }
+
+    template <class Number>
+    std::vector<Number> numbers(const std::string& path, hid_t type) const
+    {
+        const auto extents = shape(path);
+        std::vector<Number> values(
+            std::accumulate(extents.begin(), extents.end(), std::size_t{1}, std::multiplies<std::size_t>()));
+        const Hdf5Handle set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, path);
+        EXPECT_GE(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0) << path;
+        return values;
+    }
+    Scalars doubles(const std::string& path) const { return numbers<double>(path, H5T_NATIVE_DOUBLE); }
+    std::vector<int> integers(const std::string& path) const { return numbers<int>(path, H5T_NATIVE_INT); }
+
+    std::string word(const std::string& object, const std::string& name) const
+    {
+        const Hdf5Handle attribute(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+                                   H5Aclose, name);
+        const Hdf5Handle type(H5Aget_type(attribute), H5Tclose, name);
+        std::string value(H5Tget_size(type), '\0');
+        EXPECT_GE(H5Aread(attribute, type, value.data()), 0) << name;
+        return value;
+    }
+
+    Scalars attribute(const std::string& object, const std::string& name) const
+    {
+        const Hdf5Handle attribute(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+                                   H5Aclose, name);
+        const Hdf5Handle space(H5Aget_space(attribute), H5Sclose, name);
+        Scalars values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+        EXPECT_GE(H5Aread(attribute, H5T_NATIVE_DOUBLE, values.data()), 0) << name;
+        return values;
+    }
+
+private:
+    Hdf5Handle file_;
+};
+
+TEST(Results, AreReadBackAsTheyWereAdded)
+{
+    const test::ScratchFolder folder(world());
+    {
+        Results results(world());
+        results.describe("/meta", "case", std::string("sscp1"));
+        results.describe("/meta", "weight", 8.0);
+        results.describe("/meta", "simulated_time", 0.1);
+        results.describe("/meta", "simulated_time", 0.2);  // the later one holds
+        Box box = empty_box();
+        extend(box, {1, 2, 3});
+        extend(box, {4, 5, 6});
+        results.describe_box("/meta", "domain", box);
+        for (int row = 0; row < 3; ++row) {
+            results.add_row("/series", {{"time", "s", 0.05 * row}, {"pressure_drop", "Pa", 1000.0 + row}});
+            if (row == 1) results.flush();  // and goes on afterwards
+        }
+        results.add_row("/ledger", {{"momentum_residual", "1", 1e-15}});
+        results.flush();
+        results.flush();  // nothing new: adds nothing
+    }
+    world().barrier();
+    if (!world().is_master()) return;
+
+    const OpenFile file("results.h5");
+    EXPECT_EQ(file.word("/meta", "case"), "sscp1");
+    EXPECT_EQ(file.attribute("/meta", "weight"), Scalars{8.0});
+    EXPECT_EQ(file.attribute("/meta", "simulated_time"), Scalars{0.2});
+    EXPECT_EQ(file.attribute("/meta", "domain"), (Scalars{1, 2, 3, 4, 5, 6}));
+    EXPECT_EQ(file.doubles("/series/time"), (Scalars{0.0, 0.05, 0.1}));
+    EXPECT_EQ(file.doubles("/series/pressure_drop"), (Scalars{1000, 1001, 1002}));
+    EXPECT_EQ(file.word("/series/pressure_drop", "unit"), "Pa");
+    EXPECT_EQ(file.doubles("/ledger/momentum_residual"), Scalars{1e-15});
+}
+
+TEST(Results, AreCompleteAfterAFlushThoughTheRunGoesOn)
+{
+    const test::ScratchFolder folder(world());
+    Results results(world());
+    results.add_row("/series", {{"time", "s", 1.0}});
+    results.flush();
+    results.add_row("/series", {{"time", "s", 2.0}});  // lost if the run died here
+    world().barrier();
+    if (world().is_master()) {
+        std::filesystem::copy_file("results.h5", "copy.h5");  // what a reader finds on the disk
+        const OpenFile file("copy.h5");
+        EXPECT_EQ(file.doubles("/series/time"), Scalars{1.0});
+    }
+    world().barrier();
+}
+
+TEST(Results, AFolderThatCannotBeWrittenIsNamed)
+{
+    try {
+        Hdf5File::create("/no/such/folder/results.h5");
+        FAIL() << "made a file in a folder that is not there";
+    } catch (const UserError& error) {
+        EXPECT_NE(std::string(error.what()).find("/no/such/folder/results.h5"), std::string::npos) << error.what();
+    }
+}
+
+/// Rank r holds r + 1 particles in the first snapshot; in the second, rank 0 holds none and the others three each. A
+/// particle's values follow from its id.
+ParticleRows rows(int snapshot)
+{
+    const int rank = world().rank();
+    const int count = snapshot == 0 ? rank + 1 : rank == 0 ? 0 : 3;
+    ParticleRows mine;
+    for (int i = 0; i < count; ++i) {
+        const int id = 100 * (rank + 1) + i;
+        mine.id.push_back(id);
+        for (int axis = 0; axis < 3; ++axis) {
+            mine.position.push_back(id + 0.1 * axis);
+            mine.velocity.push_back(-id + 0.1 * axis);
+            mine.angular_velocity.push_back(2 * id + 0.1 * axis);
+            mine.force.push_back(1e-6 * id + 0.1 * axis);
+        }
+        mine.diameter.push_back(1e-3 * id);
+    }
+    return mine;
+}
+
+std::vector<int> all_ids(int snapshot)
+{
+    std::vector<int> ids;
+    for (int rank = 0; rank < world().size(); ++rank) {
+        const int count = snapshot == 0 ? rank + 1 : rank == 0 ? 0 : 3;
+        for (int i = 0; i < count; ++i) ids.push_back(100 * (rank + 1) + i);
+    }
+    return ids;
+}
+
+TEST(ParticleSnapshots, HoldEveryRanksParticlesWithTheirOwnValues)
+{
+    const test::ScratchFolder folder(world());
+    ParticleSnapshots snapshots(world());
+    snapshots.write(0.0, rows(0));
+    snapshots.write(0.125, rows(1));
+    world().barrier();
+    if (world().is_master()) {
+        const OpenFile file("particles.h5");
+        for (int snapshot = 0; snapshot < 2; ++snapshot) {
+            const std::string group = "/snapshots/00000" + std::to_string(snapshot);
+            EXPECT_EQ(file.attribute(group, "time"), Scalars{0.125 * snapshot});
+            const std::vector<int> ids = file.integers(group + "/id");
+            EXPECT_EQ(ids, all_ids(snapshot));  // in rank order
+            EXPECT_EQ(file.shape(group + "/position"), (std::vector<hsize_t>{ids.size(), 3}));
+            EXPECT_EQ(file.shape(group + "/diameter"), (std::vector<hsize_t>{ids.size()}));
+            EXPECT_EQ(file.word(group + "/force", "unit"), "N");
+
+            const Scalars x = file.doubles(group + "/position"), v = file.doubles(group + "/velocity");
+            const Scalars w = file.doubles(group + "/angular_velocity"), f = file.doubles(group + "/force");
+            const Scalars d = file.doubles(group + "/diameter");
+            for (std::size_t i = 0; i < ids.size(); ++i) {
+                EXPECT_EQ(d[i], 1e-3 * ids[i]);
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    const double part = 0.1 * static_cast<double>(axis);
+                    EXPECT_EQ(x[3 * i + axis], ids[i] + part);
+                    EXPECT_EQ(v[3 * i + axis], -ids[i] + part);
+                    EXPECT_EQ(w[3 * i + axis], 2 * ids[i] + part);
+                    EXPECT_EQ(f[3 * i + axis], 1e-6 * ids[i] + part);
+                }
+            }
+        }
+    }
+    world().barrier();
+}
+
+TEST(ParticleSnapshots, TheXdmfLeadsToEveryDataSet)
+{
+    const test::ScratchFolder folder(world());
+    ParticleSnapshots snapshots(world());
+    snapshots.write(0.0, rows(0));
+    snapshots.write(0.125, rows(1));
+    world().barrier();
+    if (world().is_master()) {
+        std::stringstream whole;
+        whole << std::ifstream("particles.xdmf").rdbuf();
+        const std::string xdmf = whole.str();
+        const auto mentions = [&](const std::string& part) { return xdmf.find(part) != std::string::npos; };
+        EXPECT_TRUE(mentions("<Time Value=\"0\"/>"));
+        EXPECT_TRUE(mentions("<Time Value=\"0.125\"/>"));
+        for (int snapshot = 0; snapshot < 2; ++snapshot) {
+            const std::string group = "/snapshots/00000" + std::to_string(snapshot);
+            const std::string n = std::to_string(all_ids(snapshot).size());
+            for (const char* name : {"id", "diameter"})
+                EXPECT_TRUE(mentions("Dimensions=\"" + n + "\">particles.h5:" + group + "/" + name + "</DataItem>")) << name;
+            for (const char* name : {"position", "velocity", "angular_velocity", "force"})
+                EXPECT_TRUE(mentions("Dimensions=\"" + n + " 3\">particles.h5:" + group + "/" + name + "</DataItem>"))
+                    << name;
+        }
+        const auto count = [&](const std::string& part) {
+            std::size_t found = 0;
+            for (std::size_t at = xdmf.find(part); at != std::string::npos; at = xdmf.find(part, at + 1)) ++found;
+            return found;
+        };
+        EXPECT_EQ(count("<Grid "), count("</Grid>"));
+        EXPECT_EQ(count("<Grid "), 3u);  // the collection and its two members
+    }
+    world().barrier();
+}
+
+}  // namespace

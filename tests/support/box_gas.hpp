@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "step/gas.hpp"
+#include "support/box_mesh.hpp"
+
+namespace interphase::test {
+
+/// A gas whose cells do not feel each other: in each,
+///     M du/dt = V (source - rate u) + V body_force - eps V grad p,  u implicit in the drag,
+/// with grad p the same everywhere. Its momentum is known exactly.
+class BoxGas : public Gas {
+public:
+    BoxGas(const Communicator& comm, const BoxMesh& mesh, double density, double viscosity);
+
+    const MeshView& mesh() const override { return mesh_.view(); }
+    const CellLocator& locator() const override { return mesh_; }
+    double density() const override { return density_; }
+    double viscosity() const override { return viscosity_; }
+    void set_voidage(const Scalars& voidage) override { voidage_ = voidage; }
+    void solve(double dt, const Scalars& rate, const Scalars& source) override;
+    Scalars velocity() const override { return velocity_; }
+    Scalars pressure_gradient() const override;
+    std::optional<std::string> trouble() const override { return trouble_; }
+
+    /// Everywhere [m/s].
+    void set_velocity(const Vector& u);
+    /// That of one of this rank's cells [m/s].
+    void set_velocity(std::size_t cell, const Vector& u);
+    Vector velocity_in(std::size_t cell) const { return Eigen::Map<const Vector>(&velocity_[3 * cell]); }
+    /// Mass per volume that the momentum balance sees [kg/m3]; the gas density at first. Not what drag laws see.
+    void set_inertia(double mass_per_volume) { inertia_ = mass_per_volume; }
+    /// Whatever the particles do, the velocity stays.
+    void hold_velocity() { held_ = true; }
+    void set_body_force(const Vector& per_volume) { body_force_ = per_volume; }   ///< [N/m3]
+    void set_pressure_gradient(const Vector& gradient) { gradient_ = gradient; }  ///< [Pa/m]
+    void set_trouble(const std::string& problem) { trouble_ = problem; }
+
+    Vector momentum() const;  ///< of all ranks [kg m/s]. Collective.
+    double mass() const;      ///< Collective.
+    double volume() const;    ///< Collective.
+    const Scalars& voidage() const { return voidage_; }
+
+private:
+    Communicator comm_;
+    const BoxMesh& mesh_;
+    double density_, viscosity_, inertia_;
+    bool held_ = false;
+    Scalars velocity_;
+    Scalars voidage_;
+    Vector body_force_ = Vector::Zero();
+    Vector gradient_ = Vector::Zero();
+    std::optional<std::string> trouble_;
+};
+
+}  // namespace interphase::test
