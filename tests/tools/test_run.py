@@ -234,7 +234,7 @@ class Folders(Bench):
         self.assertTrue(os.path.exists(os.path.join(self.out, "README.md")))
 
     def test_default_names(self):
-        name = runpy.run_path(os.path.join(REPOSITORY, "tools/run"))["default_folder"]
+        name = runpy.run_path(os.path.join(REPOSITORY, "tools/lib/run.py"))["default_folder"]
         self.assertEqual(name("/c/bed", "CGPM", 8.0, 1), os.path.join(REPOSITORY, "runs/bed-CGPM-w8"))
         self.assertEqual(name("/c/bed", "DEM", 1.0, 4), os.path.join(REPOSITORY, "runs/bed-DEM-w1-4ranks"))
 
