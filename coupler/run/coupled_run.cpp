@@ -159,9 +159,15 @@ void CoupledRun::step()
     stopwatch_.switch_to(Phase::gas);
     const GasStep planned = clock_.next(wanted_gas_step(), case_.end_time() - case_.time());
     gas_step_ = planned.duration;
+    const double start = case_.time();
     case_.advance_time(planned.duration);
     if (coupling_) {
-        with_foam_errors([&] { coupling_->advance(planned.duration, planned.substeps); });
+        try {
+            with_foam_errors([&] { coupling_->advance(planned.duration, planned.substeps); });
+        } catch (const UserError& error) {
+            throw UserError(std::string(error.what()) + "\n  when:   in the gas step from t = " + text(start) + " s to " +
+                            text(case_.time()) + " s");
+        }
     } else {
         stopwatch_.switch_to(Phase::solids);
         solids_->advance(planned.substeps);

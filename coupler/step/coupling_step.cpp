@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/coupling_step.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/text.hpp"
@@ -87,6 +88,8 @@ void CouplingStep::bring_particles_to_their_cells()
     stopwatch_.switch_to(Phase::exchange);
     const ParticleView particles = solids_.particles();
     const std::size_t n = particles.size();
+    ids_at_start_.assign(particles.id, particles.id + n);
+    positions_at_start_.assign(particles.position.data(), particles.position.data() + 3 * n);
 
     homes_.resize(n);
     for (std::size_t i = 0; i < n; ++i) homes_[i] = particles.coupling[i].home;
@@ -297,12 +300,7 @@ void CouplingStep::book()
 
     const long count = comm_.sum(static_cast<long>(particles.size()));
     const bool fewer = count < particle_count_;
-    if (fewer && !solids_.may_remove_particles())
-        throw UserError(std::to_string(particle_count_ - count) + " of " + std::to_string(particle_count_) +
-                            " particles were lost in this gas step",
-                        "LIGGGHTS found them outside its domain and dropped them",
-                        "check walls and boundaries in the script, and the solid step; a scene that removes particles on "
-                        "purpose says so with a fix massflow/mesh ... delete_atoms, or a delete_atoms command");
+    if (fewer && !solids_.may_remove_particles()) refuse_loss(particles, particle_count_ - count);
     particle_count_ = count;
     if (!settings_.two_way) return;
 
@@ -314,6 +312,30 @@ void CouplingStep::book()
         transactions_.pending += taken - assumed;
     }
     ledger_.book(transactions_, assumed_at_start_, fewer);
+}
+
+void CouplingStep::refuse_loss(const ParticleView& particles, long lost) const
+{
+    const std::string how_many = std::to_string(lost) + " of " + std::to_string(particle_count_) +
+                                 " particles were lost in this gas step: LIGGGHTS found them outside its domain and dropped them";
+    const std::string remedy = "check walls and boundaries in the script, and the solid step; a scene that removes particles "
+                               "on purpose says so with a fix massflow/mesh ... delete_atoms";
+
+    // Which one: over all ranks, an array as long as the highest id. The run ends here, so that size does not matter.
+    const auto highest = std::max_element(ids_at_start_.begin(), ids_at_start_.end());
+    const double last_id = comm_.max(highest == ids_at_start_.end() ? 0.0 : *highest);
+    Scalars there(static_cast<std::size_t>(last_id) + 1, 0.0);
+    for (std::size_t i = 0; i < particles.size(); ++i)
+        if (particles.id[i] <= last_id) there[static_cast<std::size_t>(particles.id[i])] = 1;
+    comm_.sum(there);
+    std::optional<std::string> problem;
+    for (std::size_t i = 0; i < ids_at_start_.size() && !problem; ++i)
+        if (there[static_cast<std::size_t>(ids_at_start_[i])] == 0)
+            problem = how_many + "\n  where:  particle " + std::to_string(ids_at_start_[i]) + " (rank " +
+                      std::to_string(comm_.rank()) + ") is one of them; it started the step at " +
+                      text(vector_at(positions_at_start_, 3 * i)) + "\n  remedy: " + remedy;
+    comm_.fail_together(problem);
+    throw UserError(how_many, "among particles that the script had just inserted", remedy);
 }
 
 std::optional<std::string> CouplingStep::trouble(const ParticleView& particles) const

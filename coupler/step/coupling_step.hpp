@@ -54,6 +54,7 @@ private:
 
     void pack_for_two_way(const ParticleView& particles, std::size_t i, double* record) const;
     void refuse_particles_outside(const ParticleView& particles) const;
+    void refuse_loss(const ParticleView& particles, long lost) const;
     std::optional<std::string> trouble(const ParticleView& particles) const;
 
     Communicator comm_;
@@ -68,6 +69,8 @@ private:
     Mapping mapping_;
     Ledger ledger_;
 
+    std::vector<int> ids_at_start_;   ///< of the gas step, to name a particle that gets lost in it
+    Scalars positions_at_start_;
     std::vector<CellAddress> homes_;
     Scalars records_;        ///< one a travelling particle, as packed
     Scalars visitors_;       ///< the same, arrived

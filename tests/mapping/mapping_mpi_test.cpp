@@ -265,6 +265,19 @@ TEST(Kernel, IsTrilinearWithinAUniformGrid)
     EXPECT_NEAR(content[number(1, 2, 3)], 0.0, rounding);
 }
 
+TEST(Kernel, ACellWeighsByItsVolume)
+{
+    // two layers, 1 and 3 thick about 0.5 and 2.5, and a reach of each its own thickness: at 0.9 the thin one has
+    // 1 (1 - 0.4 / 1) = 0.6, the thick one 3 (1 - 1.6 / 3) = 1.4. Four of each, so that every rank has one.
+    const BoxMesh::Planes layers{Scalars{0, 1, 4}, Scalars{0, 1}, test::even_planes(0, 4, 4)};
+    const Placed p(world(), layers, {{0.9, 0.5, 0.5}, {0.9, 0.5, 3.5}}, MappingType::kernel, 0.5);
+    const Scalars content = p.everywhere(p.mapping.to_cells(p.of_particles([](std::size_t) { return 1.0; }), 1));
+    for (const std::size_t layer : {0u, 3u}) {
+        EXPECT_NEAR(content[2 * layer], 0.6 / 2, rounding);
+        EXPECT_NEAR(content[2 * layer + 1], 1.4 / 2, rounding);
+    }
+}
+
 TEST(Kernel, WeightsAreContinuousWhereAParticleCrossesAFace)
 {
     constexpr double step = 1e-9;
@@ -290,11 +303,11 @@ TEST(Kernel, WeightsAreContinuousWhereAParticleCrossesAFace)
 
 TEST(Kernel, SpreadsAParticleBiggerThanItsCellOverAllThatItCovers)
 {
-    // cells of 0.25, a particle of diameter 1: two diameters to each side
-    const BoxMesh::Planes fine{test::even_planes(0, 6, 24), test::even_planes(0, 6, 24), test::even_planes(0, 6, 24)};
-    const Vector x(3.01, 2.98, 3.07);
-    const double volume = M_PI / 6;
-    Placed p(world(), fine, {x}, MappingType::kernel, 2.0);
+    // cells of 0.25, a particle of diameter 0.5: two diameters to each side
+    const BoxMesh::Planes fine{test::even_planes(0, 3, 12), test::even_planes(0, 3, 12), test::even_planes(0, 3, 12)};
+    const Vector x(1.51, 1.48, 1.57);
+    const double volume = M_PI / 6 * 0.125;
+    Placed p(world(), fine, {x}, MappingType::kernel, 1.0);
     const Scalars solid = p.everywhere(p.mapping.solid_volume(p.of_particles([=](std::size_t) { return volume; })));
     const double cell = 0.25 * 0.25 * 0.25;
     EXPECT_LT(*std::max_element(solid.begin(), solid.end()) / cell, 0.1);  // a cell within it would be all solid

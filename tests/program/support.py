@@ -76,8 +76,17 @@ def execute(folder, ranks=1, timeout=LONGEST, **changes):
     return Finished(folder, program.returncode, out, err)
 
 
+def execute_from(here, folder, ranks=1):
+    """The program started in the folder `here` on a case that may not be there."""
+    command = launch.command(PROGRAM, folder, ranks)
+    done = subprocess.run(
+        command, cwd=here, env=environment(), stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=60
+    )
+    return Finished(folder, done.returncode, done.stdout, done.stderr)
+
+
 def start(folder, ranks=1, **changes):
-    """The same, running: a Popen in a session of its own."""
+    """The same as execute(), running: a Popen in a session of its own."""
     return subprocess.Popen(
         launch.command(PROGRAM, folder, ranks), cwd=folder, env=environment(**changes), stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace", start_new_session=True,

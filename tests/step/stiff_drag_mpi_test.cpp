@@ -78,9 +78,10 @@ protected:
         return made;
     }
 
-    /// Of the momentum of gas and particles. The terms of the implicit drag on a held particle are gas step / relaxation
-    /// time as large as its own momentum, and their last bits stay when they cancel.
-    double rounding_of_total() const { return 1e-12 + 1e-14 * GetParam().step_ratio; }
+    /// Of momentum, relative. The drag on a held particle, or on one taken for held, is the difference of two terms that
+    /// are gas step / relaxation time times as large as all its momentum, and their last bits, 2e-16 each, add up over up
+    /// to 80 such steps: 1e-12 as elsewhere while that is below 100.
+    double round_off() const { return std::max(balance, 1e-14 * GetParam().step_ratio); }
 
     double gas_step() const { return GetParam().step_ratio * relaxation_time; }
 
@@ -139,9 +140,9 @@ TEST_P(StiffDrag, FreeParticlesAndGasMeetAtTheirMeanVelocity)
         slips.push_back(std::abs(u - v));
         // what the substeps took differently is still owed
         const Vector total = s->gas.momentum() + s->particles.momentum() - s->particles.pending();
-        ASSERT_LT((total - start).norm(), rounding_of_total() * start.norm()) << "step " << n;
+        ASSERT_LT((total - start).norm(), round_off() * start.norm()) << "step " << n;
     }
-    EXPECT_LT(s->step.ledger().momentum_residual(), balance);
+    EXPECT_LT(s->step.ledger().momentum_residual(), round_off());
     EXPECT_LT(s->step.ledger().volume_residual(), balance);
     if (reaches_the_end()) {
         EXPECT_NEAR(s->gas.momentum().z() / s->gas.mass() / speed, mean / speed, 2 * rounding / speed);
@@ -177,10 +178,10 @@ TEST_P(StiffDrag, HeldParticlesBringTheGasToRest)
         ASSERT_GT(u, n > 2 ? -rounding : -speed) << "step " << n;
         fastest = n > 2 ? u : speed;
         const Vector total = s->gas.momentum() + s->particles.impulse_on_held() - s->particles.pending();
-        ASSERT_LT((total - start).norm(), rounding_of_total() * start.norm()) << "step " << n;
+        ASSERT_LT((total - start).norm(), round_off() * start.norm()) << "step " << n;
         ASSERT_EQ(particle_velocity(*s), Vector::Zero());
     }
-    EXPECT_LT(s->step.ledger().momentum_residual(), balance);
+    EXPECT_LT(s->step.ledger().momentum_residual(), round_off());
     if (per_step > 1) {
         EXPECT_LT(s->gas.momentum().z() / s->gas.mass() / speed, 1e-6);
     }
@@ -201,7 +202,7 @@ TEST_P(StiffDrag, GasDrivenThroughABedGoesAsFastAsItsDragAllows)
         ASSERT_LT(u, 2 * speed) << "step " << n;
         ASSERT_GT(u, -speed) << "step " << n;
     }
-    EXPECT_LT(s->step.ledger().momentum_residual(), balance);
+    EXPECT_LT(s->step.ledger().momentum_residual(), round_off());
     // the law's drag at voidage 1 - 1e-4 is Stokes drag to 1e-4 / (1 - 1e-4); single precision of the force adds 1e-4
     // where a substep is 1000 relaxation times
     if (enough * per_step > 19) {

@@ -134,14 +134,16 @@ TEST(Trouble, ALostParticle)
     const auto s = scene(ten());
     EXPECT_EQ(message_of(*s), "");
     s->particles.remove_next(105);
-    expect_parts(message_of(*s), {"1 of 10 particles were lost", "where:", "remedy:"});
+    // number 4: at 0.4 + 0.8 n cells
+    expect_parts(message_of(*s), {"1 of 10 particles were lost", "where:", "particle 105", rank_of(105), "(0.005 0.005 0.036)",
+                                  "remedy:"});
 }
 
 TEST(Trouble, AParticleLostInTheFirstStep)
 {
     const auto s = scene(ten());
     s->particles.remove_next(105);
-    expect_parts(message_of(*s), {"1 of 10 particles were lost"});
+    expect_parts(message_of(*s), {"1 of 10 particles were lost", "particle 105", rank_of(105)});
 }
 
 TEST(Trouble, ASceneMayRemoveParticles)

@@ -10,22 +10,13 @@
 #include <vector>
 
 #include "atom.h"
-#include "fix_property_global.h"
+#include "engines/liggghts/pair_property.hpp"
 #include "force.h"
-#include "modify.h"
 #include "lammps.h"
 
 namespace interphase {
 
 namespace {
-
-const LAMMPS_NS::FixPropertyGlobal* pair_property(LAMMPS_NS::LAMMPS& lmp, const char* name)
-{
-    const int types = lmp.atom->ntypes;
-    LAMMPS_NS::Fix* fix = lmp.modify->find_fix_property(name, "property/global", "peratomtypepair", types, types,
-                                                        "interphase", false);
-    return dynamic_cast<LAMMPS_NS::FixPropertyGlobal*>(fix);
-}
 
 std::vector<double> lightest_of_each_type(LAMMPS_NS::LAMMPS& lmp)
 {
@@ -48,10 +39,6 @@ std::optional<double> shortest_contact(LAMMPS_NS::LAMMPS& lmp)
     const auto* per_mass = pair_property(lmp, "gamman");
     if (!lmp.force->pair || !stiffness || (!absolute && !per_mass)) return std::nullopt;
 
-    using Property = LAMMPS_NS::FixPropertyGlobal;
-    const auto value = [](const Property* property, int i, int j) {
-        return const_cast<Property*>(property)->get_array()[i][j];  // the accessor is not const
-    };
     const std::vector<double> mass = lightest_of_each_type(lmp);
     double shortest = std::numeric_limits<double>::max();
     for (int i = 0; i < lmp.atom->ntypes; ++i)
@@ -59,8 +46,8 @@ std::optional<double> shortest_contact(LAMMPS_NS::LAMMPS& lmp)
             const double mi = mass[static_cast<std::size_t>(i)], mj = mass[static_cast<std::size_t>(j)];
             if (std::max(mi, mj) == std::numeric_limits<double>::max()) continue;
             const double m = mi * mj / (mi + mj);
-            const double half_rate = absolute ? value(absolute, i, j) / (2 * m) : value(per_mass, i, j) / 2;
-            const double squared = value(stiffness, i, j) / m - half_rate * half_rate;
+            const double half_rate = absolute ? absolute[i][j] / (2 * m) : per_mass[i][j] / 2;
+            const double squared = stiffness[i][j] / m - half_rate * half_rate;
             if (squared > 0) shortest = std::min(shortest, M_PI / std::sqrt(squared));
         }
     if (shortest == std::numeric_limits<double>::max()) return std::nullopt;

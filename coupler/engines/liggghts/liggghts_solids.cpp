@@ -13,6 +13,7 @@
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "domain.h"
+#include "engines/liggghts/contact_check.hpp"
 #include "engines/liggghts/contact_duration.hpp"
 #include "engines/liggghts/fix_fluid.hpp"
 #include "engines/liggghts/fix_registration.hpp"
@@ -108,6 +109,23 @@ void LiggghtsSolids::refuse_unusable_scene() const
     if (settings_.gas != GasModel::none && lmp_->modify->find_fix_style_strict("freeze", 0))
         throw UserError("fix freeze clears forces before the fluid force is added, so the particles would drift", script,
                         "hold particles by leaving them out of the integrator's group instead");
+    if (const auto problem = unphysical_contact(*lmp_))
+        throw UserError(*problem, script + ", fix property/global",
+                        "correct the property, or the numbers that the script makes it from (particles/variables in "
+                        "system/couplingDict)");
+    refuse_bodiless_particles();
+}
+
+void LiggghtsSolids::refuse_bodiless_particles() const
+{
+    std::optional<std::string> problem;
+    const LAMMPS_NS::Atom& atom = *lmp_->atom;
+    for (int i = 0; i < atom.nlocal && !problem; ++i)
+        if (!(atom.radius[i] > 0 && atom.rmass[i] > 0))
+            problem = "particle " + std::to_string(atom.tag[i]) + " has a radius of " + text(atom.radius[i]) +
+                      " m and a mass of " + text(atom.rmass[i]) + " kg\n  where:  " + settings_.script +
+                      "\n  remedy: give diameters and densities above 0, in m and kg/m3";
+    comm_.fail_together(problem);
 }
 
 double LiggghtsSolids::largest_diameter() const

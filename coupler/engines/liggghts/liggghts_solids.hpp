@@ -42,6 +42,7 @@ public:
 
 private:
     void refuse_unusable_scene() const;
+    void refuse_bodiless_particles() const;
 
     Communicator comm_;
     const Settings& settings_;

@@ -4,6 +4,7 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -141,6 +142,7 @@ FoamCase::FoamCase(int& argc, char**& argv) : parts_(std::make_unique<Parts>())
         throw UserError("the option -parallel, and one rank only", "the command line",
                         "leave -parallel away, or start more ranks: mpirun -np N (srun -n N) before the program");
 
+    setenv("PWD", std::filesystem::current_path().c_str(), 1);  // OpenFOAM complains of a launcher that left an older one
     Foam::argList::noBanner();
     // What it refuses it says itself, and ends all ranks: an exception would come from one rank and leave the others waiting.
     parts_->args = std::make_unique<Foam::argList>(argc, argv);

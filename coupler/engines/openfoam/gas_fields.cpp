@@ -106,8 +106,8 @@ std::optional<std::string> GasFields::trouble() const
     {
         if (std::isfinite(magSqr(U_[c])) && std::isfinite(p_rgh_[c])) continue;
         return "the gas field " + std::string(std::isfinite(p_rgh_[c]) ? "U" : "p_rgh") + " is not finite in cell " +
-               std::to_string(c) + " of rank " + std::to_string(UPstream::myProcNo()) + " at t = " +
-               text(mesh_.time().value()) + " s\n  where:  at " + text(part_.view().centre[static_cast<std::size_t>(c)]) +
+               std::to_string(c) + " of rank " + std::to_string(UPstream::myProcNo()) +
+               "\n  where:  at " + text(part_.view().centre[static_cast<std::size_t>(c)]) +
                "\n  remedy: reduce deltaT (or maxCo) in system/controlDict; look at the last written fields";
     }
     return std::nullopt;

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engines/liggghts/contact_check.hpp"
+
+#include <mpi.h>
+
+#include "atom.h"
+#include "base/text.hpp"
+#include "engines/liggghts/pair_property.hpp"
+#include "lammps.h"
+
+namespace interphase {
+
+namespace {
+
+struct Demand {
+    const char* property;
+    bool zero_is_fine;
+    const char* meaning;
+};
+
+constexpr Demand demands[] = {
+    {"kn", false, "a normal stiffness must be above 0"},
+    {"kt", true, "a tangential stiffness must not be below 0"},
+    {"gamman_abs", true, "collisions would gain energy, as with a restitution above 1"},
+    {"gamman", true, "collisions would gain energy, as with a restitution above 1"},
+    {"gammat_abs", true, "collisions would gain energy, as with a tangential restitution above 1"},
+    {"gammat", true, "collisions would gain energy, as with a tangential restitution above 1"},
+    {"coefficientFriction", true, "a friction coefficient must not be below 0"},
+};
+
+}  // namespace
+
+std::optional<std::string> unphysical_contact(LAMMPS_NS::LAMMPS& lmp)
+{
+    for (const Demand& demand : demands) {
+        const auto* values = pair_property(lmp, demand.property);
+        if (!values) continue;
+        for (int i = 0; i < lmp.atom->ntypes; ++i)
+            for (int j = 0; j < lmp.atom->ntypes; ++j) {
+                const double value = values[i][j];
+                if (value > 0 || (value == 0 && demand.zero_is_fine)) continue;
+                return "the property " + std::string(demand.property) + " is " + text(value) + " between types " +
+                       std::to_string(i + 1) + " and " + std::to_string(j + 1) + ": " + demand.meaning;
+            }
+    }
+    return std::nullopt;
+}
+
+}  // namespace interphase

@@ -1,0 +1,106 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""ParaView's own readers open what a run leaves: particles.xdmf and the gas, decomposed or not, with all times and
+arrays; and the bed that it renders is a picture, not a blank.
+
+ParaView runs in a process of its own (under Xvfb: Debian's build renders through X).
+"""
+
+import json
+import os
+import subprocess
+import sys
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+
+import support  # noqa: E402
+
+READ_AND_RENDER = r"""
+import json, sys
+from paraview.simple import *
+folder, picture, decomposed = sys.argv[1], sys.argv[2], sys.argv[3] == "decomposed"
+particles = XDMFReader(FileNames=[folder + "/particles.xdmf"])
+particles.UpdatePipeline()
+last = particles.TimestepValues[-1]
+particles.UpdatePipeline(last)
+gas = OpenFOAMReader(FileName=folder + "/case.foam", CaseType="Decomposed Case" if decomposed else "Reconstructed Case")
+gas.UpdatePipelineInformation()
+gas.UpdatePipeline()
+gas.UpdatePipeline(gas.TimestepValues[-1])
+
+def names(data):
+    return sorted(data.GetArray(i).Name for i in range(data.GetNumberOfArrays()))
+
+found = {
+    "particle times": list(particles.TimestepValues), "points": particles.GetDataInformation().GetNumberOfPoints(),
+    "bounds": particles.GetDataInformation().GetBounds(), "arrays": names(particles.PointData),
+    "gas times": list(gas.TimestepValues), "cells": gas.GetDataInformation().GetNumberOfCells(),
+    "fields": names(gas.CellData)}
+
+view = CreateView("RenderView")
+view.ViewSize = [300, 600]
+shown = Show(particles, view)
+shown.SetRepresentationType("Point Gaussian")
+shown.GaussianRadius = 0.003
+ColorBy(shown, ("POINTS", "velocity", "Z"))
+view.ViewTime = last
+view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0.114, -1.2, 0.2], [0.114, 0.038, 0.2], [0, 0, 1]
+Render(view)
+SaveScreenshot(picture, view)
+
+print("FOUND " + json.dumps(found))
+"""
+
+
+class OpenedInParaView(support.ProgramTest):
+    def opened(self, ranks):
+        folder = self.prepared("sscp1", ranks=ranks, until=0.02, **{"system/controlDict:writeInterval": 0.01})
+        done = self.run_case(folder, ranks)
+        support.write(done.path("case.foam"), "")
+        picture = done.path("paraview.png")
+        viewer = subprocess.run(
+            ["xvfb-run", "-a", "-s", "-screen 0 640x800x24", "/usr/bin/python3", "-c", READ_AND_RENDER, folder, picture,
+             "decomposed" if ranks > 1 else "whole"],
+            env=support.environment(LIBGL_ALWAYS_SOFTWARE="1"), capture_output=True, text=True, timeout=300,
+        )
+        line = [line for line in viewer.stdout.splitlines() if line.startswith("FOUND ")]
+        self.assertTrue(line, f"ParaView did not get through:\n{(viewer.stdout + viewer.stderr)[-3000:]}")
+        return done, json.loads(line[0][6:]), picture
+
+    def check(self, ranks):
+        done, found, picture = self.opened(ranks)
+        snapshots = done.snapshots()
+        last = snapshots[max(snapshots)]
+        self.assertEqual(len(found["particle times"]), 3)  # start, two write times
+        for seen, written in zip(found["particle times"], sorted(snapshots)):
+            self.assertAlmostEqual(seen, written, delta=1e-11)  # the XDMF has twelve digits
+        self.assertEqual(found["points"], len(last["id"]))
+        self.assertEqual(found["arrays"], ["angular_velocity", "diameter", "force", "id", "velocity"])
+        for axis in range(3):
+            # ParaView keeps the coordinates in single precision: 1e-7 of a metre-sized bed
+            self.assertAlmostEqual(found["bounds"][2 * axis], last["position"][:, axis].min(), delta=1e-6)
+            self.assertAlmostEqual(found["bounds"][2 * axis + 1], last["position"][:, axis].max(), delta=1e-6)
+        self.assertEqual(found["cells"], 16 * 4 * 85)
+        self.assertAlmostEqual(max(found["gas times"]), 0.02)
+        self.assertLessEqual({"U", "p", "p_rgh", "voidage"}, set(found["fields"]))
+
+        import matplotlib.image
+
+        pixels = matplotlib.image.imread(picture)[..., :3]
+        background = pixels[0, 0]
+        drawn = (abs(pixels - background).max(axis=-1) > 0.05).mean()
+        # the bed is 0.23 m x 0.23 m of a view some 0.32 m x 0.64 m: a quarter of the picture
+        self.assertGreater(drawn, 0.1)
+        self.assertLess(drawn, 0.6)
+        self.assertGreater(len({tuple(p) for p in (pixels[::7, ::7].reshape(-1, 3) * 255).astype(int)}), 20)  # colours
+
+    def test_one_rank(self):
+        self.check(1)
+
+    def test_two_ranks_decomposed(self):
+        self.check(2)
+
+
+if __name__ == "__main__":
+    unittest.main()
