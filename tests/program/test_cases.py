@@ -1,0 +1,87 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+# timeout: 900
+"""The cases with a known answer: a sphere settles as its equation of motion says, a packing's pressure drop is the
+drag law's. The references are written down here a second time, from the papers, so that they test coupler/drag too."""
+
+import math
+import os
+import subprocess
+import sys
+import unittest
+
+import numpy
+from scipy.integrate import solve_ivp
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+
+import support  # noqa: E402
+
+
+def schiller_naumann(re, phi):
+    return 1 + 0.15 * re**0.687
+
+
+def beetstra(re, phi):
+    eps = 1 - phi
+    f = 10 * phi / eps**2 + eps**2 * (1 + 1.5 * math.sqrt(phi))
+    if re > 0:
+        f += 0.413 * re / (24 * eps**2) * (1 / eps + 3 * eps * phi + 8.4 * re**-0.343) / (
+            1 + 10 ** (3 * phi) * re ** (-0.5 - 2 * phi))
+    return f
+
+
+LAWS = {"SchillerNaumann": schiller_naumann, "BVK": beetstra}
+
+
+class Settling(support.ProgramTest):
+    def check(self, **settings):
+        folder = self.prepared("settling", **settings)
+        p = support.parameters(folder)
+        factor = LAWS[p["dragLaw"]]
+        snapshots = self.run_case(folder).snapshots()
+        times = numpy.array(sorted(snapshots))
+        falling = numpy.array([-snapshots[t]["velocity"][0, 2] for t in times])
+
+        def rate(_, v):
+            re = p["gasDensity"] * abs(v[0]) * p["diameter"] / p["gasViscosity"]
+            drag = 18 * p["gasViscosity"] * factor(re, 0.0) * v[0] / (p["diameter"] ** 2 * p["particleDensity"])
+            return [(1 - p["gasDensity"] / p["particleDensity"]) * p["gravity"] - drag]
+
+        exact = solve_ivp(rate, (0, times[-1]), [0.0], t_eval=times, rtol=1e-10, atol=1e-12).y[0]
+        # 0.5 % of the terminal velocity, on the way as at the end; the drag rate is held over a gas step, the rest of
+        # the difference is of first order in it
+        worst = abs(falling - exact).max() / exact[-1]
+        self.assertLess(worst, 0.005)
+        reynolds = p["gasDensity"] * falling[-1] * p["diameter"] / p["gasViscosity"]
+        print(f"d = {p['diameter']:g} m, {p['dragLaw']}: v = {falling[-1]:.5g} m/s at Re = {reynolds:.3g}, "
+              f"largest difference {100 * worst:.3f} %")
+
+    def test_default(self):
+        self.check()
+
+    def test_slow_and_small(self):
+        self.check(diameter=3e-5)  # Re about 0.2
+
+    def test_fast_and_large(self):
+        self.check(diameter=1e-3, height=60, cells=300, startHeight=59, until=6)  # Re of several hundred
+
+    def test_another_law(self):
+        self.check(dragLaw="BVK")
+
+
+class PackedBed(support.ProgramTest):
+    def test_pressure_drop_is_the_drag_laws(self):
+        out = os.path.join(self.root, "sweep")
+        done = subprocess.run(
+            [os.path.join(support.SOURCE, "cases", "packed-bed", "sweep"), "--out", out],
+            env=support.environment(INTERPHASE_BIN=support.PROGRAM), capture_output=True, text=True, timeout=800,
+        )
+        print(done.stdout)
+        # sweep compares each velocity with its own copy of the law, and ends with 0 when all lie within 1 %
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("1.05", done.stdout)  # beside the measured velocity of minimum fluidization
+
+
+if __name__ == "__main__":
+    unittest.main()
