@@ -38,6 +38,7 @@ CoupledRun::CoupledRun(int& argc, char**& argv)
 {
     if (settings_.gas != GasModel::none) gas_ = case_.make_gas(settings_);
     solids_ = std::make_unique<LiggghtsSolids>(comm_, settings_);
+    refuse_empty_scene();
     clock_ = choose_clock();
     gas_step_ = clock_.next(case_.gas_step(), 1e300).duration;
     check_scene();
@@ -81,10 +82,14 @@ LockstepClock CoupledRun::choose_clock() const
     return LockstepClock(case_.adjusts_gas_step() ? longest : dividing_step(case_.gas_step(), longest));
 }
 
-void CoupledRun::check_scene() const
+void CoupledRun::refuse_empty_scene() const
 {
     if (solids_->total_count() == 0)
         throw UserError("there are no particles", settings_.script, "create or read some in the script");
+}
+
+void CoupledRun::check_scene() const
+{
     if (!gas_ || settings_.mapping == MappingType::kernel) return;
     const double diameter = solids_->largest_diameter();
     double smallest = 1e300;
@@ -165,7 +170,8 @@ void CoupledRun::step()
         try {
             with_foam_errors([&] { coupling_->advance(planned.duration, planned.substeps); });
         } catch (const UserError& error) {
-            throw UserError(std::string(error.what()) + "\n  when:   in the gas step from t = " + text(start) + " s to " +
+            // OpenFOAM chokes on numbers that are not finite before the step gets to its own check
+            throw UserError(gas_->trouble().value_or(error.what()) + "\n  when:   in the gas step from t = " + text(start) + " s to " +
                             text(case_.time()) + " s");
         }
     } else {

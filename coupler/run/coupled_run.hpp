@@ -24,6 +24,7 @@ public:
     void run();
 
 private:
+    void refuse_empty_scene() const;
     void check_scene() const;
     LockstepClock choose_clock() const;
     void describe_run();

@@ -3,11 +3,6 @@
 
 #include <climits>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <deque>
-#include <fstream>
-#include <iostream>
 
 #include "atom.h"
 #include "base/text.hpp"
@@ -17,6 +12,7 @@
 #include "engines/liggghts/contact_duration.hpp"
 #include "engines/liggghts/fix_fluid.hpp"
 #include "engines/liggghts/fix_registration.hpp"
+#include "engines/liggghts/last_words.hpp"
 #include "fix_gravity.h"
 #include "integrate.h"
 #include "lammps.h"
@@ -29,40 +25,6 @@ namespace interphase {
 
 namespace {
 
-constexpr const char* log_name = "dem/log.liggghts";
-
-/// LIGGGHTS ends the process on an error, with its words in its log only. While one of these lives, an exit shows them.
-class ExitWatch {
-public:
-    explicit ExitWatch(bool speaks)
-    {
-        static const int registered = std::atexit(show_last_words);
-        static_cast<void>(registered);
-        watching_ = speaks;
-    }
-    ~ExitWatch() { watching_ = false; }
-
-private:
-    static void show_last_words()
-    {
-        if (!watching_) return;
-        std::ifstream log(log_name);
-        std::deque<std::string> last;
-        for (std::string line; std::getline(log, line);) {
-            if (line.empty()) continue;
-            last.push_back(line);
-            if (last.size() > 6) last.pop_front();
-        }
-        std::fprintf(stderr, "\ninterphase: LIGGGHTS stopped. The end of %s:\n", log_name);
-        for (const auto& line : last) std::fprintf(stderr, "  | %s\n", line.c_str());
-        std::fprintf(stderr, "  remedy: the line before ERROR is the command of the script that it refers to\n");
-    }
-
-    static bool watching_;
-};
-
-bool ExitWatch::watching_ = false;
-
 LAMMPS_NS::Fix* create_fix_fluid(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
 {
     return new FixFluid(lmp, narg, arg);
@@ -72,7 +34,7 @@ LAMMPS_NS::Fix* create_fix_fluid(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
 
 LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& settings) : comm_(comm), settings_(settings)
 {
-    std::vector<std::string> words{"liggghts", "-screen", "/dev/null", "-log", log_name, "-echo", "log"};
+    std::vector<std::string> words{"liggghts", "-screen", LastWords::log_name, "-log", "none", "-echo", "screen"};
     const auto pass = [&words](const std::string& name, const std::string& value) {
         words.insert(words.end(), {"-var", name, value});
     };
@@ -83,7 +45,7 @@ LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& setting
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
 
-    const ExitWatch watch(comm_.is_master());
+    const LastWords of_liggghts(comm_.is_master());
     void* handle = nullptr;
     lammps_open(static_cast<int>(argv.size()), argv.data(), comm_.handle(), &handle);
     lmp_ = static_cast<LAMMPS_NS::LAMMPS*>(handle);
@@ -139,7 +101,7 @@ long LiggghtsSolids::total_count() const { return comm_.sum(static_cast<long>(lm
 
 void LiggghtsSolids::start(double solid_step, long steps, bool with_gas)
 {
-    const ExitWatch watch(comm_.is_master());
+    const LastWords of_liggghts(comm_.is_master());
     char command[64];
     std::snprintf(command, sizeof command, "timestep %.17g", solid_step);
     lammps_command(lmp_, command);
@@ -185,7 +147,7 @@ ParticleView LiggghtsSolids::particles()
 
 void LiggghtsSolids::advance(int substeps)
 {
-    const ExitWatch watch(comm_.is_master());
+    const LastWords of_liggghts(comm_.is_master());
     lmp_->update->integrate->run(substeps);
 }
 

@@ -17,7 +17,8 @@ std::string DictionaryReader::place(const std::string& key) const
 {
     const Foam::entry* entry = dict_.findEntry(key, Foam::keyType::LITERAL);
     std::string place = path_;
-    if (entry) place += ", line " + std::to_string(entry->startLineNumber());
+    // OpenFOAM counts a block from the line of its first entry
+    if (entry) place += (entry->isDict() ? ", block at line " : ", line ") + std::to_string(entry->startLineNumber());
     return place;
 }
 

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace interphase {
+
+/// LIGGGHTS ends the process on an error, with its words in its log only. While one of these lives, such an end shows them:
+/// an exit of all ranks on the one that speaks, an abort on the rank that aborts.
+class LastWords {
+public:
+    static constexpr const char* log_name = "dem/log.liggghts";
+
+    explicit LastWords(bool speaks);
+    ~LastWords();
+    LastWords(const LastWords&) = delete;
+    LastWords& operator=(const LastWords&) = delete;
+};
+
+}  // namespace interphase
