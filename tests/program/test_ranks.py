@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
+# timeout: 1800
 """Numbers of ranks differ by round-off and its growth only; what they exchange follows the particles that are on another
 rank than their gas cell, not all particles.
 
