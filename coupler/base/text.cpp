@@ -56,7 +56,8 @@ std::string nearest_name(const std::string& word, const std::vector<std::string>
 std::string listed(const std::vector<std::string>& names)
 {
     std::string all;
-    for (const auto& name : names) all += (all.empty() ? "" : ", ") + name;
+    for (const auto& name : names)
+        all += (all.empty() ? "" : ", ") + name;
     return all;
 }
 

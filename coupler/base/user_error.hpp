@@ -12,8 +12,7 @@ class UserError : public std::runtime_error {
 public:
     UserError(const std::string& what, const std::string& where, const std::string& remedy)
         : std::runtime_error(what + "\n  where:  " + where + "\n  remedy: " + remedy)
-    {
-    }
+    {}
 
     /// A message that another rank has put together.
     explicit UserError(const std::string& message) : std::runtime_error(message) {}

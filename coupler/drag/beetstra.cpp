@@ -5,7 +5,8 @@
 
 namespace interphase {
 
-double beetstra(const DragState& state) {
+double beetstra(const DragState& state)
+{
     const double eps = state.voidage;
     const double phi = solid_fraction(state);
     const double re = state.reynolds;

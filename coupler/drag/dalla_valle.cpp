@@ -5,7 +5,8 @@
 
 namespace interphase {
 
-double dalla_valle_over_stokes(double reynolds) {
+double dalla_valle_over_stokes(double reynolds)
+{
     const double root = 0.63 * std::sqrt(reynolds) + 4.8;
     return root * root / 24.0;
 }

@@ -7,7 +7,8 @@
 
 namespace interphase {
 
-double di_felice(const DragState& state) {
+double di_felice(const DragState& state)
+{
     double exponent = 3.7;
     if (state.reynolds > 0.0) {
         const double decades = 1.5 - std::log10(state.reynolds);

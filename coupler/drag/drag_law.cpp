@@ -14,7 +14,8 @@
 
 namespace interphase {
 
-const std::vector<DragLaw>& drag_laws() {
+const std::vector<DragLaw>& drag_laws()
+{
     static const std::vector<DragLaw> laws = {
         {"BVK", beetstra, 0.4, 0.9, 1000.0, "Beetstra, van der Hoef, Kuipers, AIChE J. 53 (2007) 489"},
         {"WenYu", wen_yu, 0.4, 1.0, 2e5, "Wen, Yu, Chem. Eng. Prog. Symp. Ser. 62 (1966) 100"},
@@ -28,14 +29,16 @@ const std::vector<DragLaw>& drag_laws() {
     return laws;
 }
 
-const DragLaw* find_drag_law(std::string_view name) {
+const DragLaw* find_drag_law(std::string_view name)
+{
     const auto& laws = drag_laws();
     const auto law = std::find_if(laws.begin(), laws.end(), [&](const DragLaw& each) { return each.name == name; });
     return law == laws.end() ? nullptr : &*law;
 }
 
 double drag_rate_per_volume(const DragLaw& law, double voidage, double slip_speed, double diameter, double gas_density,
-                            double gas_viscosity) {
+                            double gas_viscosity)
+{
     const double reynolds = voidage * gas_density * slip_speed * diameter / gas_viscosity;
     return 18.0 * gas_viscosity * voidage * law.factor({voidage, reynolds}) / (diameter * diameter);
 }

@@ -3,7 +3,8 @@
 
 namespace interphase {
 
-double ergun(const DragState& state) {
+double ergun(const DragState& state)
+{
     return (150.0 * solid_fraction(state) + 1.75 * state.reynolds) / (18.0 * state.voidage * state.voidage);
 }
 

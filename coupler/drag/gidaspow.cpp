@@ -6,7 +6,8 @@
 
 namespace interphase {
 
-double gidaspow(const DragState& state) {
+double gidaspow(const DragState& state)
+{
     constexpr double dense_below = 0.8;
     return state.voidage < dense_below ? ergun(state) : wen_yu(state);
 }

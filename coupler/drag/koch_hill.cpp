@@ -6,7 +6,8 @@
 namespace interphase {
 namespace {
 
-double creeping_dilute(double phi) {
+double creeping_dilute(double phi)
+{
     const double logarithmic = phi > 0.0 ? 135.0 / 64.0 * phi * std::log(phi) : 0.0;
     return (1.0 + 3.0 * std::sqrt(0.5 * phi) + logarithmic + 17.14 * phi) /
            (1.0 + phi * (0.681 + phi * (-8.48 + phi * 8.16)));
@@ -14,7 +15,8 @@ double creeping_dilute(double phi) {
 
 double creeping_dense(double phi, double eps) { return 10.0 * phi / (eps * eps * eps); }
 
-double creeping(double phi, double eps) {
+double creeping(double phi, double eps)
+{
     constexpr double dense_from = 0.4;
     if (phi >= dense_from) {
         return creeping_dense(phi, eps);
@@ -25,7 +27,8 @@ double creeping(double phi, double eps) {
 
 }  // namespace
 
-double koch_hill(const DragState& state) {
+double koch_hill(const DragState& state)
+{
     const double eps = state.voidage;
     const double phi = solid_fraction(state);
     const double inertial = 0.0673 + 0.212 * phi + 0.0232 * std::pow(eps, -5.0);

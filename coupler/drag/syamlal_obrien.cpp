@@ -9,7 +9,8 @@ namespace interphase {
 namespace {
 
 /// Settling velocity of the suspension over that of an isolated sphere, both as slip (the positive root V_r).
-double settling_ratio(double voidage, double particle_reynolds) {
+double settling_ratio(double voidage, double particle_reynolds)
+{
     const double slow = std::pow(voidage, 4.14);
     const double fast = voidage <= 0.85 ? 0.8 * std::pow(voidage, 1.28) : std::pow(voidage, 2.65);
     const double x = 0.06 * particle_reynolds;
@@ -20,7 +21,8 @@ double settling_ratio(double voidage, double particle_reynolds) {
 
 }  // namespace
 
-double syamlal_obrien(const DragState& state) {
+double syamlal_obrien(const DragState& state)
+{
     const double particle_reynolds = state.reynolds / state.voidage;
     const double ratio = settling_ratio(state.voidage, particle_reynolds);
     return dalla_valle_over_stokes(particle_reynolds / ratio) / ratio;

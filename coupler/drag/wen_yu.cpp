@@ -7,7 +7,8 @@
 
 namespace interphase {
 
-double wen_yu(const DragState& state) {
+double wen_yu(const DragState& state)
+{
     return schiller_naumann_over_stokes(state.reynolds) * std::pow(state.voidage, -3.65);
 }
 

@@ -118,7 +118,8 @@ void HomeSearch::search_everywhere(const VectorsView& positions, const Slots& lo
         answers.insert(answers.end(), {static_cast<double>(address.rank), static_cast<double>(address.cell)});
     }
     const Scalars found = exchange.backward(answers, 2);
-    for (const std::size_t slot : lost) homes[slot] = CellAddress{};
+    for (const std::size_t slot : lost)
+        homes[slot] = CellAddress{};
     for (std::size_t i = 0; i < order.size(); ++i) {  // of several, the lowest rank's cell
         CellAddress& home = homes[order[i]];
         if (!home.known() && found[2 * i] >= 0)

@@ -32,8 +32,8 @@ bool SparseExchange::stays_home() const
     return std::all_of(send_.begin(), send_.end(), home) && std::all_of(receive_.begin(), receive_.end(), home);
 }
 
-void SparseExchange::transfer(const Scalars& out, int width, const std::vector<Part>& to,
-                              const std::vector<Part>& from, std::size_t arriving, Scalars& in) const
+void SparseExchange::transfer(const Scalars& out, int width, const std::vector<Part>& to, const std::vector<Part>& from,
+                              std::size_t arriving, Scalars& in) const
 {
     constexpr int tag = 7301;
     const auto w = static_cast<std::size_t>(width);
@@ -50,7 +50,8 @@ void SparseExchange::transfer(const Scalars& out, int width, const std::vector<P
     for (const Part& part : to) {
         const double* first = out.data() + part.first * w;
         if (part.rank == comm_.rank()) {
-            const auto mine = std::find_if(from.begin(), from.end(), [&](const Part& p) { return p.rank == part.rank; });
+            const auto mine =
+                std::find_if(from.begin(), from.end(), [&](const Part& p) { return p.rank == part.rank; });
             std::copy(first, first + part.count * w, in.data() + mine->first * w);
             continue;
         }

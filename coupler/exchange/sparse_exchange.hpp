@@ -31,7 +31,8 @@ public:
         transfer(out, width, send_, receive_, received_, in);
     }
 
-    /// The way back: one record for each that arrived, returned to where it came from, in the order of forward()'s `out`.
+    /// The way back: one record for each that arrived, returned to where it came from, in the order of forward()'s
+    /// `out`.
     void backward(const Scalars& out, int width, Scalars& in) const
     {
         transfer(out, width, receive_, send_, sent_, in);

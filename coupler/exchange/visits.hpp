@@ -24,8 +24,8 @@ public:
     /// This rank's particles that visit a cell, in the order in which their records travel.
     const std::vector<std::size_t>& order() const { return order_; }
 
-    /// Records of `width` doubles per travelling particle, in their order, to the hosts. Where nobody leaves its rank the
-    /// two change places instead of being copied, so count on neither's content but the visitors'.
+    /// Records of `width` doubles per travelling particle, in their order, to the hosts. Where nobody leaves its rank
+    /// the two change places instead of being copied, so count on neither's content but the visitors'.
     void bring(Scalars& of_travellers, int width, Scalars& of_visitors) const
     {
         if (exchange_.stays_home())

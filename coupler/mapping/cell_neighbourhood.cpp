@@ -42,7 +42,8 @@ public:
         for_each_bin(box, [&](std::uint64_t key) {
             const auto found = bins_.find(key);
             if (found == bins_.end()) return;
-            for (const int number : found->second) visit(number);
+            for (const int number : found->second)
+                visit(number);
         });
     }
 
@@ -72,7 +73,8 @@ private:
 CellNeighbourhood::CellNeighbourhood(const Communicator& comm, const MeshView& own, double least_reach)
     : comm_(comm), own_count_(own.size()), centre_(own.centre), volume_(own.volume), exchange_(comm)
 {
-    for (const Vector& extent : own.extent) reach_.push_back(extent.cwiseMax(least_reach));
+    for (const Vector& extent : own.extent)
+        reach_.push_back(extent.cwiseMax(least_reach));
     const Candidates candidates = add_reaching_cells_of_others(own);
     find_neighbours(own);
     drop_unused_halo(candidates);
@@ -123,9 +125,11 @@ CellNeighbourhood::Candidates CellNeighbourhood::add_reaching_cells_of_others(co
 void CellNeighbourhood::find_neighbours(const MeshView& own)
 {
     Vector bin = Vector::Constant(1e-300);
-    for (const Vector& reach : reach_) bin = bin.cwiseMax(reach);
+    for (const Vector& reach : reach_)
+        bin = bin.cwiseMax(reach);
     BoxBins bins(bin);
-    for (std::size_t c = 0; c < centre_.size(); ++c) bins.add(static_cast<int>(c), reach_box(centre_[c], reach_[c]));
+    for (std::size_t c = 0; c < centre_.size(); ++c)
+        bins.add(static_cast<int>(c), reach_box(centre_[c], reach_[c]));
 
     first_.assign(1, 0);
     for (std::size_t c = 0; c < own_count_; ++c) {
@@ -146,7 +150,8 @@ void CellNeighbourhood::find_neighbours(const MeshView& own)
 void CellNeighbourhood::drop_unused_halo(const Candidates& candidates)
 {
     std::vector<int> renumbered(local_count(), -1);
-    for (std::size_t c = 0; c < own_count_; ++c) renumbered[c] = static_cast<int>(c);
+    for (std::size_t c = 0; c < own_count_; ++c)
+        renumbered[c] = static_cast<int>(c);
     for (const int neighbour : neighbours_)
         if (renumbered[static_cast<std::size_t>(neighbour)] < 0) renumbered[static_cast<std::size_t>(neighbour)] = 0;
 
@@ -167,11 +172,13 @@ void CellNeighbourhood::drop_unused_halo(const Candidates& candidates)
     centre_.resize(next);
     reach_.resize(next);
     volume_.resize(next);
-    for (int& neighbour : neighbours_) neighbour = renumbered[static_cast<std::size_t>(neighbour)];
+    for (int& neighbour : neighbours_)
+        neighbour = renumbered[static_cast<std::size_t>(neighbour)];
 
     exchange_.plan(wanted_of);  // those who want ask the owners: values flow backward along this plan
     const Scalars asked = exchange_.forward(wanted, 1);
-    for (const double cell : asked) served_.push_back(static_cast<std::size_t>(cell));
+    for (const double cell : asked)
+        served_.push_back(static_cast<std::size_t>(cell));
 }
 
 void CellNeighbourhood::sort_into_octants(const MeshView& own)
@@ -201,7 +208,8 @@ void CellNeighbourhood::fill_halo(Scalars& values, int width) const
     if (comm_.size() == 1) return;
     const auto w = static_cast<std::size_t>(width);
     Scalars out(served_.size() * w);
-    for (std::size_t i = 0; i < served_.size(); ++i) std::copy_n(&values[served_[i] * w], w, &out[i * w]);
+    for (std::size_t i = 0; i < served_.size(); ++i)
+        std::copy_n(&values[served_[i] * w], w, &out[i * w]);
     const Scalars in = exchange_.backward(out, width);
     std::copy(in.begin(), in.end(), values.begin() + static_cast<std::ptrdiff_t>(own_count_ * w));
 }
@@ -213,7 +221,8 @@ void CellNeighbourhood::add_halo_to_owners(Scalars& values, int width) const
     const auto halo = values.begin() + static_cast<std::ptrdiff_t>(own_count_ * w);
     const Scalars in = exchange_.forward(Scalars(halo, values.end()), width);
     for (std::size_t i = 0; i < served_.size(); ++i)
-        for (std::size_t k = 0; k < w; ++k) values[served_[i] * w + k] += in[i * w + k];
+        for (std::size_t k = 0; k < w; ++k)
+            values[served_[i] * w + k] += in[i * w + k];
     std::fill(halo, values.end(), 0.0);
 }
 

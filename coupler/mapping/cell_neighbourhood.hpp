@@ -31,8 +31,8 @@ public:
     const int* neighbours_begin(std::size_t cell) const { return neighbours_.data() + first_[cell]; }
     const int* neighbours_end(std::size_t cell) const { return neighbours_.data() + first_[cell + 1]; }
 
-    /// The neighbours whose reach touches the eighth of the cell that `point` is in: all that can hold a point there. On a
-    /// uniform grid these are 8 of the 27.
+    /// The neighbours whose reach touches the eighth of the cell that `point` is in: all that can hold a point there.
+    /// On a uniform grid these are 8 of the 27.
     std::pair<const int*, const int*> neighbours_near(std::size_t cell, const Vector& point) const
     {
         const std::size_t list = 8 * cell + octant(cell, point);
@@ -70,7 +70,7 @@ private:
     std::vector<int> neighbours_;
     std::vector<std::size_t> first_of_octants_;
     std::vector<int> of_octants_;
-    SparseExchange exchange_;     ///< from owners to those that hold halo copies
+    SparseExchange exchange_;          ///< from owners to those that hold halo copies
     std::vector<std::size_t> served_;  ///< own cells that others hold, ordered by rank
 };
 

@@ -11,7 +11,8 @@ void CellWeights::place_in_own_cell(const std::vector<int>& own_cell)
     cell_ = own_cell;
     weight_.assign(own_cell.size(), 1.0);
     first_.resize(own_cell.size() + 1);
-    for (std::size_t i = 0; i < first_.size(); ++i) first_[i] = i;
+    for (std::size_t i = 0; i < first_.size(); ++i)
+        first_[i] = i;
 }
 
 void CellWeights::spread_by_kernel(const Scalars& positions, const std::vector<int>& own_cell)
@@ -29,10 +30,10 @@ void CellWeights::spread_by_kernel(const Scalars& positions, const std::vector<i
             const auto c = static_cast<std::size_t>(*n);
             const Vector& centre = cells_.centre(c);
             const Vector& reach = cells_.reach(c);
-            const double dx = std::abs(x[0] - centre[0]), dy = std::abs(x[1] - centre[1]), dz = std::abs(x[2] - centre[2]);
+            const double dx = std::abs(x[0] - centre[0]), dy = std::abs(x[1] - centre[1]),
+                         dz = std::abs(x[2] - centre[2]);
             if (dx >= reach[0] || dy >= reach[1] || dz >= reach[2]) continue;
-            const double weight =
-                (1 - dx / reach[0]) * (1 - dy / reach[1]) * (1 - dz / reach[2]) * cells_.volume(c);
+            const double weight = (1 - dx / reach[0]) * (1 - dy / reach[1]) * (1 - dz / reach[2]) * cells_.volume(c);
             cell_.push_back(*n);
             weight_.push_back(weight);
             total += weight;
@@ -41,7 +42,8 @@ void CellWeights::spread_by_kernel(const Scalars& positions, const std::vector<i
             cell_.push_back(own_cell[i]);
             weight_.push_back(total = 1.0);
         }
-        for (std::size_t k = first_.back(); k < weight_.size(); ++k) weight_[k] /= total;
+        for (std::size_t k = first_.back(); k < weight_.size(); ++k)
+            weight_[k] /= total;
         first_.push_back(weight_.size());
     }
 }
@@ -53,10 +55,14 @@ template <class Body>
 void with_width(int width, Body&& body)
 {
     switch (width) {
-    case 1: return body(std::integral_constant<std::size_t, 1>{});
-    case 4: return body(std::integral_constant<std::size_t, 4>{});
-    case 6: return body(std::integral_constant<std::size_t, 6>{});
-    default: return body(static_cast<std::size_t>(width));
+        case 1:
+            return body(std::integral_constant<std::size_t, 1>{});
+        case 4:
+            return body(std::integral_constant<std::size_t, 4>{});
+        case 6:
+            return body(std::integral_constant<std::size_t, 6>{});
+        default:
+            return body(static_cast<std::size_t>(width));
     }
 }
 
@@ -69,7 +75,8 @@ void CellWeights::add_to_cells(const Scalars& of_particles, int width, Scalars& 
             const double* q = &of_particles[i * w];
             for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
                 double* cell = &of_cells[static_cast<std::size_t>(cell_[k]) * w];
-                for (std::size_t m = 0; m < w; ++m) cell[m] += weight_[k] * q[m];
+                for (std::size_t m = 0; m < w; ++m)
+                    cell[m] += weight_[k] * q[m];
             }
         }
     });
@@ -81,11 +88,13 @@ void CellWeights::at_particles(const Scalars& of_cells, int width, Scalars& of_p
     with_width(width, [&](const auto w) {
         for (std::size_t i = 0; i < particles(); ++i) {
             double* q = &of_particles[i * w];
-            for (std::size_t m = 0; m < w; ++m) q[m] = 0;
+            for (std::size_t m = 0; m < w; ++m)
+                q[m] = 0;
             for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
                 const double weight = weight_[k];
                 const double* cell = &of_cells[static_cast<std::size_t>(cell_[k]) * w];
-                for (std::size_t m = 0; m < w; ++m) q[m] += weight * cell[m];
+                for (std::size_t m = 0; m < w; ++m)
+                    q[m] += weight * cell[m];
             }
         }
     });

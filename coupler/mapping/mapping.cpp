@@ -5,12 +5,11 @@ namespace interphase {
 
 Mapping::Mapping(const Communicator& comm, const MeshView& mesh, MappingType type, double kernel_width,
                  double maximum_packing)
-    : type_(type)
-    , cells_(comm, mesh, type == MappingType::kernel ? kernel_width : 0.0)
-    , weights_(cells_)
-    , limit_(cells_, comm, maximum_packing)
-{
-}
+    : type_(type),
+      cells_(comm, mesh, type == MappingType::kernel ? kernel_width : 0.0),
+      weights_(cells_),
+      limit_(cells_, comm, maximum_packing)
+{}
 
 void Mapping::place(const Scalars& positions, const std::vector<int>& cells)
 {

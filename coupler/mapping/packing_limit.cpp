@@ -49,7 +49,8 @@ void PackingLimit::apply(const Pass& pass, Scalars& content, int width) const
             given[static_cast<std::size_t>(t.from) * w + k] -= amount;
         }
     cells_.add_halo_to_owners(given, width);
-    for (std::size_t i = 0; i < cells_.own_count() * w; ++i) content[i] += given[i];
+    for (std::size_t i = 0; i < cells_.own_count() * w; ++i)
+        content[i] += given[i];
 }
 
 void PackingLimit::relieve(Scalars& solid_volume)
@@ -74,18 +75,20 @@ void PackingLimit::relieve(Scalars& solid_volume)
     for (std::size_t c = 0; c < cells_.own_count() && !problem; ++c) {
         const double packing = solid_volume[c] / cells_.volume(c);
         if (packing > limit_ + slack)
-            problem = "the solid fraction (voidage field) is " + text(packing) + " in cell " + std::to_string(c) +
-                      " of rank " + std::to_string(comm_.rank()) + ", above the limit of " + text(limit_) +
-                      ", and no neighbour has room\n  where:  at " + text(cells_.centre(c)) +
-                      "\n  remedy: check for overlapping particles there (a solid step too large, a stiffness too low), or "
-                      "raise mapping/maximumPacking in system/couplingDict";
+            problem =
+                "the solid fraction (voidage field) is " + text(packing) + " in cell " + std::to_string(c) +
+                " of rank " + std::to_string(comm_.rank()) + ", above the limit of " + text(limit_) +
+                ", and no neighbour has room\n  where:  at " + text(cells_.centre(c)) +
+                "\n  remedy: check for overlapping particles there (a solid step too large, a stiffness too low), or "
+                "raise mapping/maximumPacking in system/couplingDict";
     }
     comm_.fail_together(problem);
 }
 
 void PackingLimit::hand_over(Scalars& content, int width) const
 {
-    for (const Pass& pass : passes_) apply(pass, content, width);
+    for (const Pass& pass : passes_)
+        apply(pass, content, width);
 }
 
 void PackingLimit::take_from_receivers(Scalars& values, int width) const
@@ -97,9 +100,10 @@ void PackingLimit::take_from_receivers(Scalars& values, int width) const
         for (const Transfer& t : *pass)
             for (std::size_t k = 0; k < w; ++k)
                 change[static_cast<std::size_t>(t.from) * w + k] +=
-                    t.fraction * (values[static_cast<std::size_t>(t.to) * w + k] -
-                                  values[static_cast<std::size_t>(t.from) * w + k]);
-        for (std::size_t i = 0; i < change.size(); ++i) values[i] += change[i];
+                    t.fraction *
+                    (values[static_cast<std::size_t>(t.to) * w + k] - values[static_cast<std::size_t>(t.from) * w + k]);
+        for (std::size_t i = 0; i < change.size(); ++i)
+            values[i] += change[i];
     }
 }
 

@@ -11,15 +11,14 @@ namespace interphase {
 
 /// Hands the solids of cells above a packing limit to their neighbours.
 ///
-/// The hand-over is a linear operator on cell contents, with columns that sum to one: what it does to the solid volume it
-/// does to every other quantity that particles give to the cells, and its transpose to what they get back. So volume and
-/// momentum stay conserved while a cell is relieved.
+/// The hand-over is a linear operator on cell contents, with columns that sum to one: what it does to the solid volume
+/// it does to every other quantity that particles give to the cells, and its transpose to what they get back. So volume
+/// and momentum stay conserved while a cell is relieved.
 class PackingLimit {
 public:
     PackingLimit(const CellNeighbourhood& cells, const Communicator& comm, double limit)
         : cells_(cells), comm_(comm), limit_(limit)
-    {
-    }
+    {}
 
     /// Relieves `solid_volume` [local_count, m3; halo part unused] until no own cell is above the limit, and remembers
     /// how. Throws a UserError where there is no room left for the excess. Collective.

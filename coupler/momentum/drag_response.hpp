@@ -5,8 +5,9 @@
 
 namespace interphase {
 
-// How a particle of mass m [kg] with drag rate k [kg/s] answers the gas over a step dt [s]. With the gas velocity u held,
-// dv/dt = (k/m)(u - v) + a has the solution v(dt) = v + (1 - e^-x)(u + a m/k - v), x = k dt / m, and the impulse of drag is
+// How a particle of mass m [kg] with drag rate k [kg/s] answers the gas over a step dt [s]. With the gas velocity u
+// held, dv/dt = (k/m)(u - v) + a has the solution v(dt) = v + (1 - e^-x)(u + a m/k - v), x = k dt / m, and the impulse
+// of drag is
 //     J = m (1 - e^-x)(u - v) - m a (dt - (1 - e^-x) m/k).
 // A particle that its contacts hold in place takes k dt (u - v) instead. Both are J = kappa dt (u - v) - carried, with
 // kappa between m/dt (1 - e^-x) and k: that is what the gas solve treats implicitly, whatever x is.
@@ -28,8 +29,8 @@ struct AssumedDrag {
     }
 };
 
-/// `held` in [0, 1]: how far contacts held the particle in the last step (see held_by_contacts); `acceleration` a [m/s2]:
-/// gravity and pressure gradient.
+/// `held` in [0, 1]: how far contacts held the particle in the last step (see held_by_contacts); `acceleration` a
+/// [m/s2]: gravity and pressure gradient.
 AssumedDrag assume_drag(double mass, double drag_rate, double held, const Vector& acceleration, double dt);
 
 /// The change of velocity over dt of a particle without contacts [m/s].

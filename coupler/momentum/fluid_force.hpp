@@ -7,14 +7,14 @@
 
 namespace interphase {
 
-/// The fluid force on one particle during the substeps of a gas step. With drag rate k, gas velocity u, pressure-gradient
-/// force F_p and the sum F of all other forces held over a substep dt_s, the exact solution of
+/// The fluid force on one particle during the substeps of a gas step. With drag rate k, gas velocity u,
+/// pressure-gradient force F_p and the sum F of all other forces held over a substep dt_s, the exact solution of
 ///     m dv/dt = k (u - v) + F_p + F
 /// changes the velocity by f dt_s / m with f = s (k (u - v) + F_p + F), s = relaxed_share(k dt_s / m): stable for any
 /// k dt_s / m.
 ///
-/// It is read in every substep, where memory traffic is what it costs; hence single precision. That takes nothing from the
-/// balances: what was applied is booked in double precision, and goes back to the gas as it was.
+/// It is read in every substep, where memory traffic is what it costs; hence single precision. That takes nothing from
+/// the balances: what was applied is booked in double precision, and goes back to the gas as it was.
 struct FluidForce {
     float constant[3] = {0, 0, 0};  ///< s (k u + F_p) [N]
     float rate = 0;                 ///< s k [kg/s]

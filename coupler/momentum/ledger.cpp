@@ -8,8 +8,8 @@ namespace interphase {
 void Ledger::book(const Transactions& mine, const Vector& assumed_at_start, bool particles_left)
 {
     Scalars sums;
-    for (const Vector* v : {&mine.given_by_gas, &mine.taken_by_particles, &mine.pending, &mine.assumed_of_particles,
-                            &assumed_at_start})
+    for (const Vector* v :
+         {&mine.given_by_gas, &mine.taken_by_particles, &mine.pending, &mine.assumed_of_particles, &assumed_at_start})
         sums.insert(sums.end(), v->data(), v->data() + 3);
     sums.push_back(mine.solid_volume_in_cells);
     sums.push_back(mine.solid_volume_of_particles);

@@ -7,10 +7,10 @@ namespace interphase {
 
 /// One gas step's impulses between gas and particles [kg m/s], and solid volumes [m3], on one rank.
 struct Transactions {
-    Vector given_by_gas = Vector::Zero();         ///< from the cells' side: drag and pressure gradient
-    Vector taken_by_particles = Vector::Zero();   ///< from the particles' side, summed over the substeps
-    Vector pending = Vector::Zero();              ///< taken less assumed: the next gas step's
-    Vector assumed_of_particles = Vector::Zero(); ///< what the gas step assumed, of those still there
+    Vector given_by_gas = Vector::Zero();          ///< from the cells' side: drag and pressure gradient
+    Vector taken_by_particles = Vector::Zero();    ///< from the particles' side, summed over the substeps
+    Vector pending = Vector::Zero();               ///< taken less assumed: the next gas step's
+    Vector assumed_of_particles = Vector::Zero();  ///< what the gas step assumed, of those still there
     double solid_volume_in_cells = 0;
     double solid_volume_of_particles = 0;
 };

@@ -29,7 +29,8 @@ Vector to_vector(const Number (&v)[3])
 template <class Number>
 void set(Number (&v)[3], const Vector& value)
 {
-    for (int axis = 0; axis < 3; ++axis) v[axis] = static_cast<Number>(value[axis]);
+    for (int axis = 0; axis < 3; ++axis)
+        v[axis] = static_cast<Number>(value[axis]);
 }
 
 static_assert(std::is_trivially_copyable_v<ParticleCoupling>);

@@ -35,7 +35,8 @@ void write_unit(hid_t data_set, const std::string& unit)
     const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "a text type");
     H5Tset_size(type, unit.empty() ? 1 : unit.size());
     const Hdf5Handle scalar(H5Screate(H5S_SCALAR), H5Sclose, "a data space");
-    const Hdf5Handle attribute(H5Acreate2(data_set, "unit", type, scalar, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, "a unit");
+    const Hdf5Handle attribute(H5Acreate2(data_set, "unit", type, scalar, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                               "a unit");
     H5Awrite(attribute, type, unit.empty() ? "1" : unit.c_str());
 }
 
@@ -59,9 +60,10 @@ bool there(hid_t file, const std::string& path)
 Hdf5Handle::Hdf5Handle(hid_t id, herr_t (*close)(hid_t), const std::string& what) : id_(id), close_(close)
 {
     if (id_ < 0)
-        throw UserError("HDF5 could not open or make " + what, "the case folder",
-                        "check that the folder can be written, that the disk is not full, and that no other program holds "
-                        "the file");
+        throw UserError(
+            "HDF5 could not open or make " + what, "the case folder",
+            "check that the folder can be written, that the disk is not full, and that no other program holds "
+            "the file");
 }
 
 Hdf5Handle::Hdf5Handle(Hdf5Handle&& other) noexcept : id_(other.id_), close_(other.close_) { other.id_ = -1; }
@@ -90,8 +92,8 @@ Hdf5File Hdf5File::open(const std::string& path, const Communicator& comm)
 Hdf5Handle Hdf5File::object(const std::string& path)
 {
     if (path != "/" && !there(file_, path)) {
-        const Hdf5Handle group(H5Gcreate2(file_, path.c_str(), with_parent_groups(), H5P_DEFAULT, H5P_DEFAULT), H5Gclose,
-                               "the group " + path);
+        const Hdf5Handle group(H5Gcreate2(file_, path.c_str(), with_parent_groups(), H5P_DEFAULT, H5P_DEFAULT),
+                               H5Gclose, "the group " + path);
     }
     return {H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose, path};
 }
@@ -106,8 +108,8 @@ void Hdf5File::set_attribute(const std::string& path, const std::string& name, c
 
 void Hdf5File::set_attribute(const std::string& path, const std::string& name, double value)
 {
-    replace_attribute(object(path), name, H5T_NATIVE_DOUBLE, Hdf5Handle(H5Screate(H5S_SCALAR), H5Sclose, "a data space"),
-                      &value);
+    replace_attribute(object(path), name, H5T_NATIVE_DOUBLE,
+                      Hdf5Handle(H5Screate(H5S_SCALAR), H5Sclose, "a data space"), &value);
 }
 
 void Hdf5File::set_attribute(const std::string& path, const std::string& name, const std::vector<double>& values,
@@ -123,9 +125,9 @@ void Hdf5File::append(const std::string& path, const std::string& unit, const st
         const Hdf5Handle shape(H5Screate_simple(1, &none, &unlimited), H5Sclose, "a data space");
         const Hdf5Handle creation = property_list(H5P_DATASET_CREATE);
         H5Pset_chunk(creation, 1, &rows_per_chunk);
-        const Hdf5Handle made(H5Dcreate2(file_, path.c_str(), H5T_NATIVE_DOUBLE, shape, with_parent_groups(), creation,
-                                         H5P_DEFAULT),
-                              H5Dclose, path);
+        const Hdf5Handle made(
+            H5Dcreate2(file_, path.c_str(), H5T_NATIVE_DOUBLE, shape, with_parent_groups(), creation, H5P_DEFAULT),
+            H5Dclose, path);
         write_unit(made, unit);
     }
     const Hdf5Handle data_set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, path);

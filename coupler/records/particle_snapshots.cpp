@@ -22,11 +22,12 @@ std::string group_name(int number)
 
 std::string item(const std::string& group, const std::string& name, std::size_t particles, int columns)
 {
-    const std::string type = name == "id" ? "NumberType=\"Int\" Precision=\"4\"" : "NumberType=\"Float\" Precision=\"8\"";
+    const std::string type =
+        name == "id" ? "NumberType=\"Int\" Precision=\"4\"" : "NumberType=\"Float\" Precision=\"8\"";
     std::string shape = std::to_string(particles);
     if (columns > 1) shape += " " + std::to_string(columns);
-    return "<DataItem Format=\"HDF\" " + type + " Dimensions=\"" + shape + "\">" + data_file + ":" + group + "/" + name +
-           "</DataItem>";
+    return "<DataItem Format=\"HDF\" " + type + " Dimensions=\"" + shape + "\">" + data_file + ":" + group + "/" +
+           name + "</DataItem>";
 }
 
 }  // namespace

@@ -14,9 +14,12 @@ namespace {
 const char* gas_description(const Settings& settings)
 {
     switch (settings.gas) {
-    case GasModel::pimple: return settings.two_way ? "pimple, two-way" : "pimple, one-way";
-    case GasModel::frozen: return "frozen, one-way";
-    case GasModel::none: return "none";
+        case GasModel::pimple:
+            return settings.two_way ? "pimple, two-way" : "pimple, one-way";
+        case GasModel::frozen:
+            return "frozen, one-way";
+        case GasModel::none:
+            return "none";
     }
     return "";
 }
@@ -25,9 +28,14 @@ ParticleRows rows_of(const ParticleView& particles)
 {
     const std::size_t n = particles.size();
     const auto flat = [n](const VectorsView& vectors) { return Scalars(vectors.data(), vectors.data() + 3 * n); };
-    ParticleRows rows{std::vector<int>(particles.id, particles.id + n), flat(particles.position), flat(particles.velocity),
-                      flat(particles.angular_velocity), flat(particles.force), Scalars(n)};
-    for (std::size_t i = 0; i < n; ++i) rows.diameter[i] = 2 * particles.radius[static_cast<Eigen::Index>(i)];
+    ParticleRows rows{std::vector<int>(particles.id, particles.id + n),
+                      flat(particles.position),
+                      flat(particles.velocity),
+                      flat(particles.angular_velocity),
+                      flat(particles.force),
+                      Scalars(n)};
+    for (std::size_t i = 0; i < n; ++i)
+        rows.diameter[i] = 2 * particles.radius[static_cast<Eigen::Index>(i)];
     return rows;
 }
 
@@ -50,8 +58,8 @@ CoupledRun::CoupledRun(int& argc, char**& argv)
             throw UserError("gas and particles feel different gravity: constant/g says " + text(gas_->gravity()) +
                                 " m/s2, fix gravity " + text(solids_->gravity()) + " m/s2",
                             "constant/g and " + settings_.script, "give both the same value");
-        coupling_ = std::make_unique<CouplingStep>(comm_, settings_, *gas_, *solids_, solids_->largest_diameter(),
-                                                   stopwatch_);
+        coupling_ =
+            std::make_unique<CouplingStep>(comm_, settings_, *gas_, *solids_, solids_->largest_diameter(), stopwatch_);
     }
     results_ = std::make_unique<Results>(comm_);
     snapshots_ = std::make_unique<ParticleSnapshots>(comm_);
@@ -64,20 +72,24 @@ LockstepClock CoupledRun::choose_clock() const
     constexpr double least_steps = 10;  // per collision; 10 to 60 are usual (paper, section 4.6)
     if (settings_.solid_step > 0) {
         if (contact && settings_.solid_step > *contact / least_steps * (1 + 1e-9))
-            throw UserError("the solid step of " + text(settings_.solid_step) + " s is too long for the contact model: its shortest "
-                                "collision lasts t_c = " + text(*contact) + " s",
+            throw UserError("the solid step of " + text(settings_.solid_step) +
+                                " s is too long for the contact model: its shortest "
+                                "collision lasts t_c = " +
+                                text(*contact) + " s",
                             "system/couplingDict.particles, solidStep",
                             "give at most t_c/" + text(least_steps) + " = " + text(*contact / least_steps) +
                                 " s (t_c/20 is a good start), or make the contacts softer");
         if (settings_.solid_step > case_.gas_step() * (1 + 1e-9))
             throw UserError("the solid step of " + text(settings_.solid_step) + " s is longer than the gas step of " +
                                 text(case_.gas_step()) + " s",
-                            "solidStep in system/couplingDict, deltaT in system/controlDict", "make deltaT a multiple of it");
+                            "solidStep in system/couplingDict, deltaT in system/controlDict",
+                            "make deltaT a multiple of it");
         return LockstepClock(settings_.solid_step);
     }
     if (!contact)
         throw UserError("the contact model gives no collision time to derive the solid step from",
-                        "system/couplingDict.particles", "give `solidStep` in seconds (known: pair gran model hooke/stiffness)");
+                        "system/couplingDict.particles",
+                        "give `solidStep` in seconds (known: pair gran model hooke/stiffness)");
     const double longest = *contact / settings_.steps_per_collision;
     return LockstepClock(case_.adjusts_gas_step() ? longest : dividing_step(case_.gas_step(), longest));
 }
@@ -93,7 +105,8 @@ void CoupledRun::check_scene() const
     if (!gas_ || settings_.mapping == MappingType::kernel) return;
     const double diameter = solids_->largest_diameter();
     double smallest = 1e300;
-    for (const Vector& extent : gas_->mesh().extent) smallest = std::min(smallest, extent.minCoeff());
+    for (const Vector& extent : gas_->mesh().extent)
+        smallest = std::min(smallest, extent.minCoeff());
     smallest = comm_.min(smallest);
     if (smallest < diameter)
         throw UserError("the smallest gas cell measures " + text(smallest) + " m, less than a tracked sphere of " +
@@ -105,15 +118,15 @@ void CoupledRun::describe_run()
 {
     const long count = solids_->total_count();
     const std::optional<double> contact = solids_->contact_duration();
-    report_.head(
-        {{"interphase", solids_->version() + ", OpenFOAM " + case_.version()},
-         {"case", case_.name()},
-         {"method", name_of(settings_.method) + ", weight " + text(settings_.weight) + ", " + std::to_string(count) + " tracked"},
-         {"gas", std::string(gas_description(settings_)) + (gas_ ? ", drag " + settings_.drag_law : "")},
-         {"steps", "gas " + text(gas_step_) + " s" + (case_.adjusts_gas_step() ? " at first" : "") + ", solids " +
-                       text(clock_.solid_step()) + " s" +
-                       (contact ? " = t_c/" + text(*contact / clock_.solid_step()) : "")},
-         {"ranks", std::to_string(comm_.size())}});
+    report_.head({{"interphase", solids_->version() + ", OpenFOAM " + case_.version()},
+                  {"case", case_.name()},
+                  {"method", name_of(settings_.method) + ", weight " + text(settings_.weight) + ", " +
+                                 std::to_string(count) + " tracked"},
+                  {"gas", std::string(gas_description(settings_)) + (gas_ ? ", drag " + settings_.drag_law : "")},
+                  {"steps", "gas " + text(gas_step_) + " s" + (case_.adjusts_gas_step() ? " at first" : "") +
+                                ", solids " + text(clock_.solid_step()) + " s" +
+                                (contact ? " = t_c/" + text(*contact / clock_.solid_step()) : "")},
+                  {"ranks", std::to_string(comm_.size())}});
 
     Results& meta = *results_;
     meta.describe("/meta", "case", case_.name());
@@ -141,7 +154,8 @@ void CoupledRun::run()
     next_record_ = next_snapshot_ = case_.time();
     try {
         record(true);
-        while (case_.running()) step();
+        while (case_.running())
+            step();
         finish();
     } catch (...) {
         results_->describe("/meta", "simulated_time", case_.time());
@@ -171,8 +185,8 @@ void CoupledRun::step()
             with_foam_errors([&] { coupling_->advance(planned.duration, planned.substeps); });
         } catch (const UserError& error) {
             // OpenFOAM chokes on numbers that are not finite before the step gets to its own check
-            throw UserError(gas_->trouble().value_or(error.what()) + "\n  when:   in the gas step from t = " + text(start) + " s to " +
-                            text(case_.time()) + " s");
+            throw UserError(gas_->trouble().value_or(error.what()) + "\n  when:   in the gas step from t = " +
+                            text(start) + " s to " + text(case_.time()) + " s");
         }
     } else {
         stopwatch_.switch_to(Phase::solids);
@@ -201,18 +215,20 @@ void CoupledRun::record(bool at_start)
     const bool line_due = comm_.any(report_.progress_due());
     const bool at_end = now > case_.end_time() - slack;
     if (row_due || line_due || at_end) {
-        last_seen_ = observe(comm_, *solids_, gas_.get(), coupling_ ? coupling_->voidage() : Scalars{},
-                             settings_.pressure_taps);
+        last_seen_ =
+            observe(comm_, *solids_, gas_.get(), coupling_ ? coupling_->voidage() : Scalars{}, settings_.pressure_taps);
         if (row_due && !at_start) results_->add_row("/series", last_seen_.row(now));
         if (line_due || at_end) report_.progress(now, last_seen_);
     }
-    while (next_record_ < now + slack) next_record_ += settings_.record_interval;
+    while (next_record_ < now + slack)
+        next_record_ += settings_.record_interval;
 
     const bool write_due = case_.write_due() || at_end;
     const bool snapshot_due = settings_.snapshot_interval > 0 ? now > next_snapshot_ - slack : write_due;
     if (snapshot_due || at_start || at_end) snapshots_->write(now, rows_of(solids_->particles()));
     if (settings_.snapshot_interval > 0)
-        while (next_snapshot_ < now + slack) next_snapshot_ += settings_.snapshot_interval;
+        while (next_snapshot_ < now + slack)
+            next_snapshot_ += settings_.snapshot_interval;
     if (write_due && !at_start) {
         if (gas_) case_.write();
         results_->flush();

@@ -11,10 +11,7 @@ namespace {
 
 constexpr double seconds_between_lines = 5;
 
-double now()
-{
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 std::string duration(double seconds)
 {
@@ -31,15 +28,15 @@ std::string duration(double seconds)
 
 Report::Report(bool prints, double start_time, double end_time)
     : prints_(prints), start_time_(start_time), end_time_(end_time), wall_start_(now())
-{
-}
+{}
 
 double Report::wall_seconds() const { return now() - wall_start_; }
 
 void Report::head(const std::vector<std::pair<std::string, std::string>>& facts) const
 {
     if (!prints_) return;
-    for (const auto& [name, value] : facts) std::printf("  %-12s %s\n", name.c_str(), value.c_str());
+    for (const auto& [name, value] : facts)
+        std::printf("  %-12s %s\n", name.c_str(), value.c_str());
     std::printf("\n");
     std::fflush(stdout);
 }

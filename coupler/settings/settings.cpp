@@ -6,8 +6,10 @@ namespace interphase {
 std::string name_of(Method method)
 {
     switch (method) {
-    case Method::dem: return "DEM";
-    case Method::cgpm: return "CGPM";
+        case Method::dem:
+            return "DEM";
+        case Method::cgpm:
+            return "CGPM";
     }
     return "";
 }

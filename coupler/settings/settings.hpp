@@ -19,10 +19,10 @@ struct Settings {
     Method method = Method::dem;
     double weight = 1;  ///< real particles per tracked one, >= 1
 
-    std::string script;                                         ///< LIGGGHTS script, relative to the case
-    std::vector<std::pair<std::string, std::string>> variables; ///< handed to the script
-    double solid_step = 0;            ///< given solid step [s]; 0: from steps_per_collision
-    double steps_per_collision = 20;  ///< S: solid step = t_c / S
+    std::string script;                                          ///< LIGGGHTS script, relative to the case
+    std::vector<std::pair<std::string, std::string>> variables;  ///< handed to the script
+    double solid_step = 0;                                       ///< given solid step [s]; 0: from steps_per_collision
+    double steps_per_collision = 20;                             ///< S: solid step = t_c / S
 
     GasModel gas = GasModel::pimple;
     bool two_way = true;  ///< whether the particles act on the gas
@@ -30,13 +30,13 @@ struct Settings {
     std::string drag_law = "BVK";
 
     MappingType mapping = MappingType::kernel;
-    double kernel_width = 0;         ///< least half-width of the kernel [m]; 0: two diameters of the tracked sphere
-    double maximum_packing = 0.74;   ///< solid fraction above which a cell hands its excess to neighbours
+    double kernel_width = 0;        ///< least half-width of the kernel [m]; 0: two diameters of the tracked sphere
+    double maximum_packing = 0.74;  ///< solid fraction above which a cell hands its excess to neighbours
     OutsideMesh outside_mesh = OutsideMesh::stop;
 
-    double record_interval = 0.05;       ///< between two rows of the series [s]
-    double snapshot_interval = 0;        ///< between two particle snapshots [s]; 0: as the gas fields are written
-    std::vector<Vector> pressure_taps;   ///< two points; their pressure difference is recorded
+    double record_interval = 0.05;      ///< between two rows of the series [s]
+    double snapshot_interval = 0;       ///< between two particle snapshots [s]; 0: as the gas fields are written
+    std::vector<Vector> pressure_taps;  ///< two points; their pressure difference is recorded
 };
 
 std::string name_of(Method method);

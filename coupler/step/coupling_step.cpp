@@ -16,10 +16,10 @@ namespace {
 enum VisitorEntry {
     position = 0,
     velocity = 3,
-    diameter = 6,   // of the real particle
-    volume = 7,     // of solids in the tracked one
+    diameter = 6,  // of the real particle
+    volume = 7,    // of solids in the tracked one
     mass = 8,
-    held = 9,       // by contacts, 0 to 1
+    held = 9,  // by contacts, 0 to 1
     acceleration = 10,
     pending = 13,
     two_way_record = 16,
@@ -45,23 +45,22 @@ double sphere_volume(double radius) { return 4.0 / 3.0 * M_PI * radius * radius 
 
 CouplingStep::CouplingStep(const Communicator& comm, const Settings& settings, Gas& gas, Solids& solids,
                            double largest_diameter, Stopwatch& stopwatch)
-    : comm_(comm)
-    , settings_(settings)
-    , law_(*find_drag_law(settings.drag_law))
-    , gas_(gas)
-    , solids_(solids)
-    , stopwatch_(stopwatch)
-    , homes_search_(comm, gas.locator())
-    , visits_(comm)
-    , mapping_(comm, gas.mesh(), settings.mapping,
-               settings.kernel_width > 0 ? settings.kernel_width : 2 * largest_diameter, settings.maximum_packing)
-    , ledger_(comm)
-    , voidage_(gas.mesh().size(), 1.0)
-    , solid_volume_(gas.mesh().size(), 0.0)
-    , exchange_rate_(gas.mesh().size(), 0.0)
-    , exchange_source_(3 * gas.mesh().size(), 0.0)
-{
-}
+    : comm_(comm),
+      settings_(settings),
+      law_(*find_drag_law(settings.drag_law)),
+      gas_(gas),
+      solids_(solids),
+      stopwatch_(stopwatch),
+      homes_search_(comm, gas.locator()),
+      visits_(comm),
+      mapping_(comm, gas.mesh(), settings.mapping,
+               settings.kernel_width > 0 ? settings.kernel_width : 2 * largest_diameter, settings.maximum_packing),
+      ledger_(comm),
+      voidage_(gas.mesh().size(), 1.0),
+      solid_volume_(gas.mesh().size(), 0.0),
+      exchange_rate_(gas.mesh().size(), 0.0),
+      exchange_source_(3 * gas.mesh().size(), 0.0)
+{}
 
 void CouplingStep::advance(double dt, int substeps)
 {
@@ -80,7 +79,8 @@ void CouplingStep::inspect_start()
 {
     const ParticleView particles = solids_.particles();
     particle_count_ = comm_.sum(static_cast<long>(particles.size()));
-    comm_.fail_together(trouble(particles));  // before a value that is not finite spreads through the gas to other particles
+    comm_.fail_together(
+        trouble(particles));  // before a value that is not finite spreads through the gas to other particles
 }
 
 void CouplingStep::bring_particles_to_their_cells()
@@ -92,10 +92,12 @@ void CouplingStep::bring_particles_to_their_cells()
     positions_at_start_.assign(particles.position.data(), particles.position.data() + 3 * n);
 
     homes_.resize(n);
-    for (std::size_t i = 0; i < n; ++i) homes_[i] = particles.coupling[i].home;
+    for (std::size_t i = 0; i < n; ++i)
+        homes_[i] = particles.coupling[i].home;
     homes_search_.update(particles.position, homes_);
     refuse_particles_outside(particles);
-    for (std::size_t i = 0; i < n; ++i) particles.coupling[i].home = homes_[i];
+    for (std::size_t i = 0; i < n; ++i)
+        particles.coupling[i].home = homes_[i];
     visits_.plan(homes_);
 
     const double per_real = 1.0 / std::cbrt(settings_.weight);
@@ -120,8 +122,8 @@ void CouplingStep::pack_for_two_way(const ParticleView& particles, std::size_t i
     const ParticleCoupling& own = particles.coupling[i];
     const double m = particles.mass[column];
     record[mass] = m;
-    record[held] = held_by_contacts(particles.velocity.col(column) - to_vector(own.start_velocity),
-                                    to_vector(own.free_change));
+    record[held] =
+        held_by_contacts(particles.velocity.col(column) - to_vector(own.start_velocity), to_vector(own.free_change));
     put(record + acceleration, solids_.gravity() + to_vector(own.pressure_force) / m);
     put(record + pending, solid_step_ * particles.booked_force(i) - to_vector(own.assumed_impulse));
 }
@@ -133,10 +135,12 @@ void CouplingStep::refuse_particles_outside(const ParticleView& particles) const
         for (std::size_t i = 0; i < homes_.size() && !problem; ++i) {
             if (homes_[i].known()) continue;
             const Vector x = particles.position.col(static_cast<Eigen::Index>(i));
-            problem = "particle " + std::to_string(particles.id[i]) + " (rank " + std::to_string(comm_.rank()) +
-                      ") is in no gas cell\n  where:  at " + text(x) +
-                      "\n  remedy: keep the particles inside the mesh (walls in the LIGGGHTS script, initial positions, solid "
-                      "step), or set `outsideMesh ignore;` in system/couplingDict to let such particles move without gas";
+            problem =
+                "particle " + std::to_string(particles.id[i]) + " (rank " + std::to_string(comm_.rank()) +
+                ") is in no gas cell\n  where:  at " + text(x) +
+                "\n  remedy: keep the particles inside the mesh (walls in the LIGGGHTS script, initial positions, "
+                "solid "
+                "step), or set `outsideMesh ignore;` in system/couplingDict to let such particles move without gas";
         }
     comm_.fail_together(problem);
 }
@@ -152,12 +156,14 @@ void CouplingStep::map_voidage()
         volumes_[i] = visitors_[i * width + volume];
     }
     mapping_.place(positions_, visits_.cells());
-    for (const CellAddress& home : homes_) outside_ += !home.known();
+    for (const CellAddress& home : homes_)
+        outside_ += !home.known();
     if (!settings_.two_way) return;
 
     solid_volume_ = mapping_.solid_volume(volumes_);
     relieved_ += mapping_.cells_relieved();
-    for (std::size_t c = 0; c < voidage_.size(); ++c) voidage_[c] = 1.0 - solid_volume_[c] / gas_.mesh().volume[c];
+    for (std::size_t c = 0; c < voidage_.size(); ++c)
+        voidage_[c] = 1.0 - solid_volume_[c] / gas_.mesh().volume[c];
 
     transactions_ = {};
     transactions_.solid_volume_in_cells = sum(solid_volume_);
@@ -185,12 +191,11 @@ void CouplingStep::map_drag(double dt)
         const double d = record[diameter];
         const double reynolds = eps * gas_.density() * slip * d / gas_.viscosity();
         beyond_range_ += eps < law_.voidage_min || eps > law_.voidage_max || reynolds > law_.reynolds_max;
-        drag_rates_[i] =
-            record[volume] * drag_rate_per_volume(law_, eps, slip, d, gas_.density(), gas_.viscosity());
+        drag_rates_[i] = record[volume] * drag_rate_per_volume(law_, eps, slip, d, gas_.density(), gas_.viscosity());
         if (!settings_.two_way) continue;
 
-        const AssumedDrag drag = assume_drag(record[mass], drag_rates_[i], record[held],
-                                             vector_at(visitors_, i * width + acceleration), dt);
+        const AssumedDrag drag =
+            assume_drag(record[mass], drag_rates_[i], record[held], vector_at(visitors_, i * width + acceleration), dt);
         // kappa, and the part of the force that does not wait for the gas solve
         demands_[4 * i] = drag.kappa;
         put(&demands_[4 * i + 1],
@@ -256,8 +261,8 @@ void CouplingStep::return_gas_to_particles(double dt)
         const double was_held = held_by_contacts(v - to_vector(own.start_velocity), to_vector(own.free_change));
         const Vector old_acceleration = solids_.gravity() + to_vector(own.pressure_force) / m;
         const Vector pressure_force = -sphere_volume(particles.radius[column]) * vector_at(fluid_, f + 4);
-        const Vector assumed = assume_drag(m, fluid_[f], was_held, old_acceleration, dt).impulse(u, v, dt) +
-                               dt * pressure_force;
+        const Vector assumed =
+            assume_drag(m, fluid_[f], was_held, old_acceleration, dt).impulse(u, v, dt) + dt * pressure_force;
 
         particles.fluid[i] = FluidForce(m, fluid_[f], u, pressure_force, solid_step_);
         std::fill_n(particles.booked + 3 * i, 3, 0.0);
@@ -316,10 +321,12 @@ void CouplingStep::book()
 
 void CouplingStep::refuse_loss(const ParticleView& particles, long lost) const
 {
-    const std::string how_many = std::to_string(lost) + " of " + std::to_string(particle_count_) +
-                                 " particles were lost in this gas step: LIGGGHTS found them outside its domain and dropped them";
-    const std::string remedy = "check walls and boundaries in the script, and the solid step; a scene that removes particles "
-                               "on purpose says so with a fix massflow/mesh ... delete_atoms";
+    const std::string how_many =
+        std::to_string(lost) + " of " + std::to_string(particle_count_) +
+        " particles were lost in this gas step: LIGGGHTS found them outside its domain and dropped them";
+    const std::string remedy =
+        "check walls and boundaries in the script, and the solid step; a scene that removes particles "
+        "on purpose says so with a fix massflow/mesh ... delete_atoms";
 
     // Which one: over all ranks, an array as long as the highest id. The run ends here, so that size does not matter.
     const auto highest = std::max_element(ids_at_start_.begin(), ids_at_start_.end());

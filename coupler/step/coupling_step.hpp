@@ -28,8 +28,8 @@ public:
     CouplingStep(const Communicator& comm, const Settings& settings, Gas& gas, Solids& solids, double largest_diameter,
                  Stopwatch& stopwatch);
 
-    /// Advances gas and particles by `dt` = `substeps` solid steps. Throws a UserError on all ranks if a particle is outside
-    /// the mesh, a packing cannot be relieved or a value is not finite. Collective.
+    /// Advances gas and particles by `dt` = `substeps` solid steps. Throws a UserError on all ranks if a particle is
+    /// outside the mesh, a packing cannot be relieved or a value is not finite. Collective.
     void advance(double dt, int substeps);
 
     const Ledger& ledger() const { return ledger_; }
@@ -69,20 +69,20 @@ private:
     Mapping mapping_;
     Ledger ledger_;
 
-    std::vector<int> ids_at_start_;   ///< of the gas step, to name a particle that gets lost in it
+    std::vector<int> ids_at_start_;  ///< of the gas step, to name a particle that gets lost in it
     Scalars positions_at_start_;
     std::vector<CellAddress> homes_;
-    Scalars records_;        ///< one a travelling particle, as packed
-    Scalars visitors_;       ///< the same, arrived
-    Scalars seen_;           ///< gas values at the visitors
-    Scalars answers_;        ///< one a visitor
-    Scalars fluid_;          ///< one a travelling particle
+    Scalars records_;                        ///< one a travelling particle, as packed
+    Scalars visitors_;                       ///< the same, arrived
+    Scalars seen_;                           ///< gas values at the visitors
+    Scalars answers_;                        ///< one a visitor
+    Scalars fluid_;                          ///< one a travelling particle
     Scalars positions_, volumes_, demands_;  ///< of the visitors
-    Scalars drag_rates_;     ///< of the visitors [kg/s]
-    Scalars voidage_;        ///< own cells
-    Scalars solid_volume_;   ///< own cells [m3]
-    Scalars exchange_rate_;    ///< own cells [kg/(m3 s)]
-    Scalars exchange_source_;  ///< own cells [n x 3, N/m3]
+    Scalars drag_rates_;                     ///< of the visitors [kg/s]
+    Scalars voidage_;                        ///< own cells
+    Scalars solid_volume_;                   ///< own cells [m3]
+    Scalars exchange_rate_;                  ///< own cells [kg/(m3 s)]
+    Scalars exchange_source_;                ///< own cells [n x 3, N/m3]
     Transactions transactions_;
     Vector assumed_at_start_ = Vector::Zero();
     double solid_step_ = 0;

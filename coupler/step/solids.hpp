@@ -7,7 +7,8 @@
 
 namespace interphase {
 
-/// The particles a rank owns [n]; valid until the solids advance. Radius [m] and mass [kg] are those of the tracked sphere.
+/// The particles a rank owns [n]; valid until the solids advance. Radius [m] and mass [kg] are those of the tracked
+/// sphere.
 struct ParticleView {
     VectorsView position;
     VectorsView velocity;
@@ -16,8 +17,8 @@ struct ParticleView {
     ScalarsView radius;
     ScalarsView mass;
     const int* id;
-    FluidForce* fluid;           ///< null in a run without gas, as the next two
-    double* booked;              ///< sum of the fluid force over the substeps since the gas solve [n x 3, N]
+    FluidForce* fluid;  ///< null in a run without gas, as the next two
+    double* booked;     ///< sum of the fluid force over the substeps since the gas solve [n x 3, N]
     ParticleCoupling* coupling;
 
     Vector booked_force(std::size_t i) const { return Eigen::Map<const Vector>(booked + 3 * i); }

@@ -48,7 +48,8 @@ TEST(Communicator, ReducesOverAllRanks)
 TEST(Communicator, GathersInRankOrder)
 {
     Scalars expected;
-    for (int rank = 0; rank < world().size(); ++rank) expected.insert(expected.end(), {1.0 * rank, -1.0 * rank});
+    for (int rank = 0; rank < world().size(); ++rank)
+        expected.insert(expected.end(), {1.0 * rank, -1.0 * rank});
     const double mine = world().rank();
     EXPECT_EQ(world().all_gather({mine, -mine}), expected);
 }
@@ -64,7 +65,8 @@ TEST(FailTogether, StaysQuietWithoutAProblem) { EXPECT_NO_THROW(world().fail_tog
 TEST(FailTogether, AllRanksThrowTheOnlyFailingRanksMessage)
 {
     const int last = world().size() - 1;
-    const auto problem = world().rank() == last ? std::optional<std::string>("a problem on the last rank") : std::nullopt;
+    const auto problem =
+        world().rank() == last ? std::optional<std::string>("a problem on the last rank") : std::nullopt;
     EXPECT_EQ(message_of(problem), "a problem on the last rank");
 }
 

@@ -32,11 +32,11 @@ TEST(Text, ListsAreCommaSeparated)
 
 TEST(NearestName, FindsSlipsOfThePen)
 {
-    EXPECT_EQ(nearest_name("Gidaspov", laws), "Gidaspow");   // substituted
-    EXPECT_EQ(nearest_name("Ergunn", laws), "Ergun");        // one too many
-    EXPECT_EQ(nearest_name("WnYu", laws), "WenYu");          // one missing
-    EXPECT_EQ(nearest_name("DiFelcie", laws), "DiFelice");   // swapped
-    EXPECT_EQ(nearest_name("bvk", {"BVK"}), "");             // no letter in common: three edits of three
+    EXPECT_EQ(nearest_name("Gidaspov", laws), "Gidaspow");  // substituted
+    EXPECT_EQ(nearest_name("Ergunn", laws), "Ergun");       // one too many
+    EXPECT_EQ(nearest_name("WnYu", laws), "WenYu");         // one missing
+    EXPECT_EQ(nearest_name("DiFelcie", laws), "DiFelice");  // swapped
+    EXPECT_EQ(nearest_name("bvk", {"BVK"}), "");            // no letter in common: three edits of three
     EXPECT_EQ(nearest_name("BVK", laws), "BVK");
 }
 
@@ -55,8 +55,9 @@ TEST(NearestName, SuggestsNothingForSomethingElse)
 TEST(UserError, SaysWhatWhereAndWhatToDo)
 {
     const UserError error("rho = -1 is not positive", "constant/transportProperties, line 3", "give it in kg/m3");
-    EXPECT_STREQ(error.what(),
-                 "rho = -1 is not positive\n  where:  constant/transportProperties, line 3\n  remedy: give it in kg/m3");
+    EXPECT_STREQ(
+        error.what(),
+        "rho = -1 is not positive\n  where:  constant/transportProperties, line 3\n  remedy: give it in kg/m3");
 }
 
 TEST(Box, GrowsAroundPointsAndKnowsWhatItHolds)

@@ -38,8 +38,8 @@ TEST(LockstepClock, TakesAtLeastOneSubstep)
 TEST(LockstepClock, DoesNotPassTheEndByASubstep)
 {
     const LockstepClock clock(1e-5);
-    EXPECT_EQ(clock.next(1e-3, 4e-5).substeps, 4);     // ends on it
-    EXPECT_EQ(clock.next(1e-3, 4.2e-5).substeps, 5);   // passes it by less than one
+    EXPECT_EQ(clock.next(1e-3, 4e-5).substeps, 4);             // ends on it
+    EXPECT_EQ(clock.next(1e-3, 4.2e-5).substeps, 5);           // passes it by less than one
     EXPECT_EQ(clock.next(1e-3, 4.0000000001e-5).substeps, 4);  // round-off is not another substep
     EXPECT_EQ(clock.next(1e-3, 1e-12).substeps, 1);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Every particle finds its gas cell wherever it goes, and its own data come back from there; what is sent for that follows
-// the number of particles whose cell is on another rank, and is nothing where the decompositions match.
+// Every particle finds its gas cell wherever it goes, and its own data come back from there; what is sent for that
+// follows the number of particles whose cell is on another rank, and is nothing where the decompositions match.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -24,8 +24,8 @@ const Communicator& world()
 /// 3 x 4 x 60 cells in slabs along z: higher than the longest walk.
 BoxMesh tall_box()
 {
-    return BoxMesh(world(), {test::even_planes(0, 3, 3), test::graded_planes(-1, 1, 4, 1.3), test::even_planes(0, 60, 60)},
-                   2);
+    return BoxMesh(world(),
+                   {test::even_planes(0, 3, 3), test::graded_planes(-1, 1, 4, 1.3), test::even_planes(0, 60, 60)}, 2);
 }
 
 class Cloud {
@@ -38,7 +38,8 @@ public:
         points.resize(3, static_cast<Eigen::Index>(count));
         homes.assign(count, CellAddress{});
         for (auto column : points.colwise())
-            for (int axis = 0; axis < 3; ++axis) column[axis] = uniform(within(axis, 0), within(axis, 1));
+            for (int axis = 0; axis < 3; ++axis)
+                column[axis] = uniform(within(axis, 0), within(axis, 1));
     }
 
     /// By up to `reach` per axis, but not out of the box.
@@ -57,7 +58,8 @@ public:
     std::size_t abroad() const
     {
         std::size_t count = 0;
-        for (const CellAddress& home : homes) count += home.known() && home.rank != world().rank();
+        for (const CellAddress& home : homes)
+            count += home.known() && home.rank != world().rank();
         return count;
     }
 
@@ -124,7 +126,8 @@ TEST(HomeSearch, KnownAndUnknownHomesMayMix)
     cloud.scatter(100, mesh.whole());
     search.update(cloud.view(), cloud.homes);
     cloud.move(1.5, mesh.whole());
-    for (std::size_t i = 0; i < cloud.size(); i += 3) cloud.homes[i] = CellAddress{};  // inserted ones
+    for (std::size_t i = 0; i < cloud.size(); i += 3)
+        cloud.homes[i] = CellAddress{};  // inserted ones
     search.update(cloud.view(), cloud.homes);
     expect_at_home(cloud, mesh);
 }
@@ -144,7 +147,8 @@ TEST(HomeSearch, OutsideThereIsNoHomeAndTheWayBackIsFound)
         cloud.points(axis, i) = i % 4 < 2 ? mesh.whole()(axis, 0) - beyond : mesh.whole()(axis, 1) + beyond;
     }
     search.update(cloud.view(), cloud.homes);
-    for (const CellAddress& home : cloud.homes) EXPECT_FALSE(home.known());
+    for (const CellAddress& home : cloud.homes)
+        EXPECT_FALSE(home.known());
 
     cloud.points = inside;
     search.update(cloud.view(), cloud.homes);
@@ -157,10 +161,12 @@ TEST(HomeSearch, PointsOnFacesBelongToACellThatTouchesThem)
     HomeSearch search(world(), mesh);
     Cloud cloud(6);
     cloud.scatter(61, mesh.whole());
-    for (int k = 0; k <= 60; ++k) cloud.points.col(k) = Vector(1.0, 0.1, k);  // between cells, ranks, and on the rim
-    for (int repeat = 0; repeat < 2; ++repeat) {                             // searched for, and from the last home
+    for (int k = 0; k <= 60; ++k)
+        cloud.points.col(k) = Vector(1.0, 0.1, k);  // between cells, ranks, and on the rim
+    for (int repeat = 0; repeat < 2; ++repeat) {    // searched for, and from the last home
         search.update(cloud.view(), cloud.homes);
-        for (std::size_t i = 0; i < cloud.size(); ++i) EXPECT_TRUE(mesh.holds(cloud.homes[i], cloud.point(i))) << i;
+        for (std::size_t i = 0; i < cloud.size(); ++i)
+            EXPECT_TRUE(mesh.holds(cloud.homes[i], cloud.point(i))) << i;
     }
 }
 
@@ -190,7 +196,8 @@ Scalars records_of(const Visits& visits, int width)
 {
     Scalars records;
     for (const std::size_t i : visits.order())
-        for (int k = 0; k < width; ++k) records.push_back(1e6 * world().rank() + 10.0 * static_cast<double>(i) + k);
+        for (int k = 0; k < width; ++k)
+            records.push_back(1e6 * world().rank() + 10.0 * static_cast<double>(i) + k);
     return records;
 }
 
@@ -204,7 +211,8 @@ TEST(Visits, RoundTripReturnsEveryParticlesOwnData)
     for (int step = 0; step < 3; ++step) {
         cloud.move(5.0, mesh.whole());
         if (step == 1)  // some are outside
-            for (Eigen::Index i = 0; i < cloud.points.cols(); i += 7) cloud.points(0, i) = -1;
+            for (Eigen::Index i = 0; i < cloud.points.cols(); i += 7)
+                cloud.points(0, i) = -1;
         search.update(cloud.view(), cloud.homes);
         visits.plan(cloud.homes);
 
@@ -227,7 +235,8 @@ TEST(Visits, RoundTripReturnsEveryParticlesOwnData)
         EXPECT_EQ(answers, expected);
 
         std::size_t known = 0;
-        for (const CellAddress& home : cloud.homes) known += home.known();
+        for (const CellAddress& home : cloud.homes)
+            known += home.known();
         EXPECT_EQ(visits.order().size(), known);
         EXPECT_EQ(world().sum(static_cast<long>(visits.visitors())), world().sum(static_cast<long>(known)));
     }
@@ -263,7 +272,8 @@ Cloud partly_abroad(std::size_t staying, std::size_t crossing, const BoxMesh& me
 {
     const Box mine = mesh.bounds();
     const Scalars boxes = world().all_gather(Scalars(mine.data(), mine.data() + mine.size()));
-    const Box next = Eigen::Map<const Box>(&boxes[static_cast<std::size_t>(6 * ((world().rank() + 1) % world().size()))]);
+    const Box next =
+        Eigen::Map<const Box>(&boxes[static_cast<std::size_t>(6 * ((world().rank() + 1) % world().size()))]);
     Cloud home(11), abroad(12);
     home.scatter(staying, mesh.bounds());
     abroad.scatter(crossing, next);

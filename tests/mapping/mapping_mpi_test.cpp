@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The pair of transposed operators between particles and cells: weights that sum to one and change continuously, a linear
-// field met exactly on a uniform grid, what is conserved, and that neither the ranks nor the packing limit change any of it.
+// The pair of transposed operators between particles and cells: weights that sum to one and change continuously, a
+// linear field met exactly on a uniform grid, what is conserved, and that neither the ranks nor the packing limit
+// change any of it.
 #include "mapping/mapping.hpp"
 
 #include <gtest/gtest.h>
@@ -79,19 +80,22 @@ public:
     Scalars of_particles(const std::function<double(std::size_t)>& f) const
     {
         Scalars values;
-        for (const std::size_t i : here) values.push_back(f(i));
+        for (const std::size_t i : here)
+            values.push_back(f(i));
         return values;
     }
     Scalars of_cells(const std::function<double(std::size_t)>& f) const
     {
         Scalars values;
-        for (std::size_t c = 0; c < mesh.view().size(); ++c) values.push_back(f(mesh.global_number(c)));
+        for (std::size_t c = 0; c < mesh.view().size(); ++c)
+            values.push_back(f(mesh.global_number(c)));
         return values;
     }
     Scalars of_centres(const std::function<double(const Vector&)>& f) const
     {
         Scalars values;
-        for (const Vector& centre : mesh.view().centre) values.push_back(f(centre));
+        for (const Vector& centre : mesh.view().centre)
+            values.push_back(f(centre));
         return values;
     }
     Scalars at_particles(const Scalars& cells, int width = 1) const
@@ -111,7 +115,8 @@ public:
     Scalars everywhere(const Scalars& own) const
     {
         Scalars all(mesh.global_count(), 0.0);
-        for (std::size_t c = 0; c < own.size(); ++c) all[mesh.global_number(c)] = own[c];
+        for (std::size_t c = 0; c < own.size(); ++c)
+            all[mesh.global_number(c)] = own[c];
         comm_.sum(all);
         return all;
     }
@@ -119,7 +124,8 @@ public:
     Scalars everywhere(const Scalars& own, std::size_t particles) const
     {
         Scalars all(particles, 0.0);
-        for (std::size_t i = 0; i < own.size(); ++i) all[here[i]] = own[i];
+        for (std::size_t i = 0; i < own.size(); ++i)
+            all[here[i]] = own[i];
         comm_.sum(all);
         return all;
     }
@@ -173,12 +179,15 @@ TEST_P(MappingProperty, WeightsSumToOne)
     const Placed p = placed(300);
     const Scalars ones = p.at_particles(Scalars(p.mesh.view().size(), 1.0));
     ASSERT_EQ(ones.size(), p.here.size());
-    for (const double one : ones) EXPECT_NEAR(one, 1.0, rounding);
+    for (const double one : ones)
+        EXPECT_NEAR(one, 1.0, rounding);
     // and each particle's part from the cells' side, one at a time through a content that only it has
     for (std::size_t i = 0; i < 300; i += 50) {
-        const Scalars content = p.mapping.to_cells(p.of_particles([i](std::size_t n) { return n == i ? 1.0 : 0.0; }), 1);
+        const Scalars content =
+            p.mapping.to_cells(p.of_particles([i](std::size_t n) { return n == i ? 1.0 : 0.0; }), 1);
         EXPECT_NEAR(p.total(content), 1.0, rounding);
-        for (const double part : content) EXPECT_GE(part, 0.0);
+        for (const double part : content)
+            EXPECT_GE(part, 0.0);
     }
 }
 
@@ -212,11 +221,13 @@ TEST_P(MappingProperty, RanksDoNotChangeTheResult)
 
     const Scalars cells = many.everywhere(many.mapping.to_cells(many.of_particles(q), 1));
     const Scalars cells_of_one = one.everywhere(one.mapping.to_cells(one.of_particles(q), 1));
-    for (std::size_t c = 0; c < cells.size(); ++c) EXPECT_NEAR(cells[c], cells_of_one[c], rounding) << "cell " << c;
+    for (std::size_t c = 0; c < cells.size(); ++c)
+        EXPECT_NEAR(cells[c], cells_of_one[c], rounding) << "cell " << c;
 
     const Scalars values = many.everywhere(many.at_particles(many.of_cells(g)), all.size());
     const Scalars values_of_one = one.everywhere(one.at_particles(one.of_cells(g)), all.size());
-    for (std::size_t i = 0; i < all.size(); ++i) EXPECT_NEAR(values[i], values_of_one[i], rounding) << "particle " << i;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        EXPECT_NEAR(values[i], values_of_one[i], rounding) << "particle " << i;
 }
 
 TEST_P(MappingProperty, SeveralValuesATimeAreTheSameAsOneByOne)
@@ -224,15 +235,19 @@ TEST_P(MappingProperty, SeveralValuesATimeAreTheSameAsOneByOne)
     Placed p = placed(100);
     Scalars three, cells;
     for (const std::size_t i : p.here)
-        for (std::size_t k = 0; k < 3; ++k) three.push_back(noise(3 * i + k));
+        for (std::size_t k = 0; k < 3; ++k)
+            three.push_back(noise(3 * i + k));
     for (std::size_t c = 0; c < p.mesh.view().size(); ++c)
-        for (std::size_t k = 0; k < 3; ++k) cells.push_back(noise(3 * p.mesh.global_number(c) + k));
+        for (std::size_t k = 0; k < 3; ++k)
+            cells.push_back(noise(3 * p.mesh.global_number(c) + k));
     const Scalars together = p.mapping.to_cells(three, 3), seen = p.at_particles(cells, 3);
     for (std::size_t k = 0; k < 3; ++k) {
         const Scalars apart = p.mapping.to_cells(p.of_particles([k](std::size_t i) { return noise(3 * i + k); }), 1);
-        for (std::size_t c = 0; c < apart.size(); ++c) EXPECT_NEAR(together[3 * c + k], apart[c], rounding);
+        for (std::size_t c = 0; c < apart.size(); ++c)
+            EXPECT_NEAR(together[3 * c + k], apart[c], rounding);
         const Scalars seen_apart = p.at_particles(p.of_cells([k](std::size_t c) { return noise(3 * c + k); }));
-        for (std::size_t i = 0; i < seen_apart.size(); ++i) EXPECT_NEAR(seen[3 * i + k], seen_apart[i], rounding);
+        for (std::size_t i = 0; i < seen_apart.size(); ++i)
+            EXPECT_NEAR(seen[3 * i + k], seen_apart[i], rounding);
     }
 }
 
@@ -254,7 +269,8 @@ TEST(Kernel, MeetsALinearFieldExactlyWithinAUniformGrid)
 
 TEST(Kernel, IsTrilinearWithinAUniformGrid)
 {
-    const Vectors points{{2.6, 2.9, 4.25}};  // cells 2 | 2 and 3 | 3 and 4 hold it: centres at 2.5, 3.5; 2.5, 3.5; 3.5, 4.5
+    const Vectors points{
+        {2.6, 2.9, 4.25}};  // cells 2 | 2 and 3 | 3 and 4 hold it: centres at 2.5, 3.5; 2.5, 3.5; 3.5, 4.5
     const Placed p(world(), uniform_planes(), points, MappingType::kernel, 0.5);
     const Scalars content = p.everywhere(p.mapping.to_cells(p.of_particles([](std::size_t) { return 1.0; }), 1));
     const auto number = [](std::size_t i, std::size_t j, std::size_t k) { return i + 6 * (j + 5 * k); };
@@ -287,7 +303,8 @@ TEST(Kernel, WeightsAreContinuousWhereAParticleCrossesAFace)
             Vectors points;
             for (std::size_t n = 1; n + 1 < planes[2].size(); ++n) {
                 for (const Vector& normal : {Vector(0, 0, 1), Vector(0, 1, 1), Vector(1, 1, 1)}) {
-                    const Vector x(normal.x() > 0 ? planes[0][3] : 2.3, normal.y() > 0 ? planes[1][2] : 1.3, planes[2][n]);
+                    const Vector x(normal.x() > 0 ? planes[0][3] : 2.3, normal.y() > 0 ? planes[1][2] : 1.3,
+                                   planes[2][n]);
                     points.push_back(x - 0.5 * step * normal);
                     points.push_back(x + 0.5 * step * normal);
                 }
@@ -297,7 +314,8 @@ TEST(Kernel, WeightsAreContinuousWhereAParticleCrossesAFace)
             const Scalars values = p.everywhere(own, points.size());
             // the steepest weight goes from 0 to 1 over the smallest cell, 0.15, on three axes; values are of order one
             for (std::size_t i = 0; i < points.size(); i += 2)
-                EXPECT_NEAR(values[i], values[i + 1], 3 * 2 * step / 0.15) << points[i].transpose() << ", width " << width;
+                EXPECT_NEAR(values[i], values[i + 1], 3 * 2 * step / 0.15)
+                    << points[i].transpose() << ", width " << width;
         }
 }
 
@@ -316,7 +334,8 @@ TEST(Kernel, SpreadsAParticleBiggerThanItsCellOverAllThatItCovers)
     // the spread keeps the place: its centre of mass is the particle's
     Vector moment = Vector::Zero();
     const BoxMesh whole(alone(), fine, 2);
-    for (std::size_t c = 0; c < solid.size(); ++c) moment += solid[c] / volume * whole.view().centre[c];
+    for (std::size_t c = 0; c < solid.size(); ++c)
+        moment += solid[c] / volume * whole.view().centre[c];
     EXPECT_LT((moment - x).norm(), 100 * rounding);
 }
 
@@ -344,7 +363,8 @@ Vectors crowd()
     middle.col(0) = Vector(2.6, 1.6, 3.6);
     middle.col(1) = Vector(3.4, 2.9, 4.4);
     Vectors points = scattered(60, middle, 3);
-    for (const Vector& x : scattered(60, BoxMesh(alone(), uniform_planes(), 2).whole(), 4)) points.push_back(x);
+    for (const Vector& x : scattered(60, BoxMesh(alone(), uniform_planes(), 2).whole(), 4))
+        points.push_back(x);
     return points;
 }
 
@@ -366,7 +386,8 @@ TEST(PackingLimit, HandsTheExcessOnAndKeepsTheVolume)
         EXPECT_NEAR(std::accumulate(after.begin(), after.end(), 0.0), 120 * crowding_volume, 120 * rounding);
 
         long above = 0;
-        for (const double volume : before) above += volume > limit;
+        for (const double volume : before)
+            above += volume > limit;
         EXPECT_EQ(world().sum(p.mapping.cells_relieved()), above);
     }
 }
@@ -375,7 +396,8 @@ TEST(PackingLimit, LeavesCellsWithinTheLimitAlone)
 {
     Placed p(world(), uniform_planes(), crowd(), MappingType::kernel, 1.0, 10.0);
     Placed unlimited(world(), uniform_planes(), crowd(), MappingType::kernel, 1.0);
-    EXPECT_EQ(p.mapping.solid_volume(p.of_particles(crowding)), unlimited.mapping.solid_volume(p.of_particles(crowding)));
+    EXPECT_EQ(p.mapping.solid_volume(p.of_particles(crowding)),
+              unlimited.mapping.solid_volume(p.of_particles(crowding)));
     EXPECT_EQ(p.mapping.cells_relieved(), 0);
 }
 
@@ -387,7 +409,8 @@ TEST(PackingLimit, EverythingElseFollowsTheVolume)
 
     // the same operator: another quantity in proportion to the volume ends where the volume did
     const Scalars doubled = p.mapping.to_cells(p.of_particles([](std::size_t) { return 2 * crowding_volume; }), 1);
-    for (std::size_t c = 0; c < volume.size(); ++c) EXPECT_NEAR(doubled[c], 2 * volume[c], rounding);
+    for (std::size_t c = 0; c < volume.size(); ++c)
+        EXPECT_NEAR(doubled[c], 2 * volume[c], rounding);
 
     // any quantity is conserved, a constant stays one, and the two directions are transposed
     const Scalars q = p.of_particles([](std::size_t i) { return noise(i); });
@@ -395,7 +418,8 @@ TEST(PackingLimit, EverythingElseFollowsTheVolume)
     const Scalars content = p.mapping.to_cells(q, 1);
     EXPECT_NEAR(p.total(content), p.total(q), 120 * rounding);
     EXPECT_NEAR(p.dot(content, g), p.dot(q, p.at_particles(g)), 120 * rounding);
-    for (const double one : p.at_particles(Scalars(p.mesh.view().size(), 1.0))) EXPECT_NEAR(one, 1.0, rounding);
+    for (const double one : p.at_particles(Scalars(p.mesh.view().size(), 1.0)))
+        EXPECT_NEAR(one, 1.0, rounding);
 }
 
 TEST(PackingLimit, RanksDoNotChangeTheHandOver)
@@ -405,13 +429,15 @@ TEST(PackingLimit, RanksDoNotChangeTheHandOver)
     const Scalars volume = many.everywhere(many.mapping.solid_volume(many.of_particles(crowding)));
     const Scalars volume_of_one = one.everywhere(one.mapping.solid_volume(one.of_particles(crowding)));
     // many passes, each on the round-off of the one before
-    for (std::size_t c = 0; c < volume.size(); ++c) EXPECT_NEAR(volume[c], volume_of_one[c], 1e4 * rounding) << c;
+    for (std::size_t c = 0; c < volume.size(); ++c)
+        EXPECT_NEAR(volume[c], volume_of_one[c], 1e4 * rounding) << c;
     EXPECT_EQ(world().sum(many.mapping.cells_relieved()), one.mapping.cells_relieved());
 
     const auto g = [](std::size_t c) { return noise(7 * c); };
     const Scalars values = many.everywhere(many.at_particles(many.of_cells(g)), 120);
     const Scalars values_of_one = one.everywhere(one.at_particles(one.of_cells(g)), 120);
-    for (std::size_t i = 0; i < 120; ++i) EXPECT_NEAR(values[i], values_of_one[i], 1e4 * rounding) << i;
+    for (std::size_t i = 0; i < 120; ++i)
+        EXPECT_NEAR(values[i], values_of_one[i], 1e4 * rounding) << i;
 }
 
 TEST(PackingLimit, WithoutRoomAnywhereAllRanksAreToldWhere)
@@ -423,7 +449,8 @@ TEST(PackingLimit, WithoutRoomAnywhereAllRanksAreToldWhere)
         FAIL() << "180 m3 of solids found room in 144";
     } catch (const UserError& error) {
         const std::string message = error.what();
-        for (const char* part : {"solid fraction", "in cell", "of rank", "limit of 0.6", "where:  at (", "maximumPacking"})
+        for (const char* part :
+             {"solid fraction", "in cell", "of rank", "limit of 0.6", "where:  at (", "maximumPacking"})
             EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
     }
 }

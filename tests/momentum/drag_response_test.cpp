@@ -27,7 +27,7 @@ TEST(RelaxedShare, HasItsLimits)
     EXPECT_EQ(relaxed_share(0), 1.0);
     EXPECT_EQ(withheld_share(0), 0.0);
     EXPECT_NEAR(relaxed_share(1), 1 - std::exp(-1.0), rounding);
-    EXPECT_NEAR(relaxed_share(1e6) * 1e6, 1.0, rounding);   // (1 - e^-x)/x -> 1/x
+    EXPECT_NEAR(relaxed_share(1e6) * 1e6, 1.0, rounding);  // (1 - e^-x)/x -> 1/x
     EXPECT_NEAR(relaxed_share(1e300) * 1e300, 1.0, rounding);
     EXPECT_EQ(withheld_share(1e300), 1.0);
 }
@@ -37,9 +37,10 @@ TEST(RelaxedShare, IsAccurateAtEverySize)
     for (double x = 1e-16; x < 1e3; x *= 1.07) {
         // in extended precision; the series where that cancels, up to x^4: the fifth is below 1e-20 there
         const long double y = x;
-        const long double withheld = x < 1e-3 ? y / 2 - y * y / 6 + y * y * y / 24 - y * y * y * y / 120
-                                              : 1 + std::expm1(-y) / y;
-        EXPECT_NEAR(withheld_share(x) / static_cast<double>(withheld), 1.0, 1e-13) << x;  // 1 - share cancels two digits
+        const long double withheld =
+            x < 1e-3 ? y / 2 - y * y / 6 + y * y * y / 24 - y * y * y * y / 120 : 1 + std::expm1(-y) / y;
+        EXPECT_NEAR(withheld_share(x) / static_cast<double>(withheld), 1.0, 1e-13)
+            << x;  // 1 - share cancels two digits
         EXPECT_NEAR(relaxed_share(x) / static_cast<double>(1 - withheld), 1.0, rounding) << x;
     }
 }
@@ -139,7 +140,8 @@ TEST(FluidForce, SettlesAtTheTerminalVelocityAtAnyRatio)
         EXPECT_LT(change.norm(), -std::expm1(-x) * single * (settling.norm() + terminal.norm() + u.norm())) << x;
         if (x < 1) continue;
         Vector v = Vector::Zero();
-        for (int step = 0; step < 60; ++step) v = after(fluid, m, dt, v, m * g);
+        for (int step = 0; step < 60; ++step)
+            v = after(fluid, m, dt, v, m * g);
         EXPECT_LT((v - terminal).norm(), single * (settling.norm() + terminal.norm() + u.norm())) << x;
     }
 }
@@ -154,7 +156,8 @@ TEST(FluidForce, TheSettlingSlipItselfIsRight)
         const double k = x * m / dt;
         const FluidForce fluid(m, k, Vector::Zero(), Vector::Zero(), dt);
         Vector v = Vector::Zero();
-        for (int step = 0; step < 60; ++step) v = after(fluid, m, dt, v, m * g);
+        for (int step = 0; step < 60; ++step)
+            v = after(fluid, m, dt, v, m * g);
         EXPECT_NEAR(v.z() * k / (m * g.z()), 1.0, single) << x;
     }
 }
@@ -168,12 +171,14 @@ TEST(FluidForce, SubstepsComposeToTheExactSolution)
         const double k = x * m / dt;
         const FluidForce fluid(m, k, u, Vector::Zero(), dt / substeps);
         Vector now = v, booked = Vector::Zero();
-        for (int step = 0; step < substeps; ++step) now = after(fluid, m, dt / substeps, now, m * a, &booked);
+        for (int step = 0; step < substeps; ++step)
+            now = after(fluid, m, dt / substeps, now, m * a, &booked);
         const Vector exact = v - std::expm1(-x) * (u + m / k * a - v);
         EXPECT_LT((now - exact).norm(), single * (u.norm() + v.norm() + m / k * a.norm())) << x;
         // what was booked is what the gas solve assumed of a free particle, and to the last bits what the particle took
         const Vector impulse = dt / substeps * booked;
-        EXPECT_LT((impulse - assume_drag(m, k, 0, a, dt).impulse(u, v, dt)).norm(), single * m * (4 + a.norm() * dt)) << x;
+        EXPECT_LT((impulse - assume_drag(m, k, 0, a, dt).impulse(u, v, dt)).norm(), single * m * (4 + a.norm() * dt))
+            << x;
         EXPECT_LT((impulse + m * dt * a - m * (now - v)).norm(), 100 * rounding * m * 4) << x;
     }
 }

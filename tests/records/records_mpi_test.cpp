@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// results.h5 and particles.h5 read back, with HDF5 itself, as they were written: by one rank and by all together, and the
-// XDMF that leads ParaView to every snapshot.
+// results.h5 and particles.h5 read back, with HDF5 itself, as they were written: by one rank and by all together, and
+// the XDMF that leads ParaView to every snapshot.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,9 @@ const Communicator& world()
 
 class OpenFile {
 public:
-    explicit OpenFile(const std::string& path) : file_(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path) {}
+    explicit OpenFile(const std::string& path)
+        : file_(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path)
+    {}
 
     std::vector<hsize_t> shape(const std::string& path) const
     {
@@ -161,7 +163,8 @@ std::vector<int> all_ids(int snapshot)
     std::vector<int> ids;
     for (int rank = 0; rank < world().size(); ++rank) {
         const int count = snapshot == 0 ? rank + 1 : rank == 0 ? 0 : 3;
-        for (int i = 0; i < count; ++i) ids.push_back(100 * (rank + 1) + i);
+        for (int i = 0; i < count; ++i)
+            ids.push_back(100 * (rank + 1) + i);
     }
     return ids;
 }
@@ -220,14 +223,16 @@ TEST(ParticleSnapshots, TheXdmfLeadsToEveryDataSet)
             const std::string group = "/snapshots/00000" + std::to_string(snapshot);
             const std::string n = std::to_string(all_ids(snapshot).size());
             for (const char* name : {"id", "diameter"})
-                EXPECT_TRUE(mentions("Dimensions=\"" + n + "\">particles.h5:" + group + "/" + name + "</DataItem>")) << name;
+                EXPECT_TRUE(mentions("Dimensions=\"" + n + "\">particles.h5:" + group + "/" + name + "</DataItem>"))
+                    << name;
             for (const char* name : {"position", "velocity", "angular_velocity", "force"})
                 EXPECT_TRUE(mentions("Dimensions=\"" + n + " 3\">particles.h5:" + group + "/" + name + "</DataItem>"))
                     << name;
         }
         const auto count = [&](const std::string& part) {
             std::size_t found = 0;
-            for (std::size_t at = xdmf.find(part); at != std::string::npos; at = xdmf.find(part, at + 1)) ++found;
+            for (std::size_t at = xdmf.find(part); at != std::string::npos; at = xdmf.find(part, at + 1))
+                ++found;
             return found;
         };
         EXPECT_EQ(count("<Grid "), count("</Grid>"));

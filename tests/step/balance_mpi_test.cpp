@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A crowd of different particles in a gas that differs from cell to cell: momentum and solid volume stay what they were, to
-// round-off, with gravity, pressure gradient and packing hand-over, with particles that leave; and what is computed
-// depends neither on the ranks nor on how many particles stay at home.
+// A crowd of different particles in a gas that differs from cell to cell: momentum and solid volume stay what they
+// were, to round-off, with gravity, pressure gradient and packing hand-over, with particles that leave; and what is
+// computed depends neither on the ranks nor on how many particles stay at home.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -105,8 +105,8 @@ TEST(Balance, MomentumOfGasAndParticlesChangesByOutsideForcesAlone)
             // whatever is between gas and particles cancels: what the pressure takes from the gas's share of the volume
             // and the particles' share is the gradient times the whole
             const Vector outside = time * ((body_force - gradient) * s->gas.volume() + moving_mass(all) * gravity);
-            const Vector total = s->gas.momentum() + s->particles.momentum() + s->particles.impulse_on_held() -
-                                 s->particles.pending();
+            const Vector total =
+                s->gas.momentum() + s->particles.momentum() + s->particles.impulse_on_held() - s->particles.pending();
             ASSERT_LT((total - start - outside).norm(), balance * (start.norm() + s->step.ledger().exchanged()))
                 << "step " << n;
             ASSERT_LT(s->step.ledger().momentum_residual(), balance) << "step " << n;
@@ -126,7 +126,8 @@ TEST(Balance, HoldsWherePackedCellsHandOver)
         s->advance(substeps);
         ASSERT_LT(s->step.ledger().momentum_residual(), balance) << "step " << n;
         ASSERT_LT(s->step.ledger().volume_residual(), balance) << "step " << n;
-        for (const double voidage : s->step.voidage()) ASSERT_GE(voidage, 1 - 0.25 - 1e-8);  // the limit's own slack: 1e-9
+        for (const double voidage : s->step.voidage())
+            ASSERT_GE(voidage, 1 - 0.25 - 1e-8);  // the limit's own slack: 1e-9
     }
     EXPECT_GE(s->step.interventions().cells_relieved, 50);  // in every step, and counted
 }
@@ -171,7 +172,8 @@ Scalars outcome(const Communicator& comm, int steps)
     const auto all = crowd(200);
     const auto s = scene(comm, all, rules());
     s->gas.set_pressure_gradient({3, -2, -20});
-    for (int n = 0; n < steps; ++n) s->advance(substeps);
+    for (int n = 0; n < steps; ++n)
+        s->advance(substeps);
     Scalars values(6 * all.size() + 3 * s->mesh.global_count(), 0.0);
     for (std::size_t i = 0; i < s->particles.size(); ++i) {
         const auto place = 6 * static_cast<std::size_t>(s->particles.id(i) - 1);
@@ -192,9 +194,10 @@ TEST(Ranks, DoNotChangeTheResult)
 {
     const Scalars of_many = outcome(world(), 50), of_one = outcome(alone(), 50);
     // velocities are of order one; sums are taken in another order, which 50 steps may amplify. Positions decide over
-    // which cells a particle is spread and coefficients are kept in single precision, where a last bit may flip: 6e-8 of
-    // a force now and then.
-    for (std::size_t i = 0; i < of_many.size(); ++i) ASSERT_NEAR(of_many[i], of_one[i], 1e-8) << i;
+    // which cells a particle is spread and coefficients are kept in single precision, where a last bit may flip: 6e-8
+    // of a force now and then.
+    for (std::size_t i = 0; i < of_many.size(); ++i)
+        ASSERT_NEAR(of_many[i], of_one[i], 1e-8) << i;
 }
 
 TEST(MessageVolume, OfAStepDoesNotGrowWithParticlesThatStayAtHome)
@@ -211,7 +214,8 @@ TEST(MessageVolume, OfAStepDoesNotGrowWithParticlesThatStayAtHome)
         const auto s = scene(world(), all, rules());
         s->advance(substeps);  // finds the homes
         const std::size_t before = s->step.doubles_sent();
-        for (int n = 0; n < 3; ++n) s->advance(substeps);
+        for (int n = 0; n < 3; ++n)
+            s->advance(substeps);
         return world().sum(static_cast<long>(s->step.doubles_sent() - before));
     };
     const long sent = sent_with(80);

@@ -26,7 +26,8 @@ constexpr double gas_density = 1.2, viscosity = 1.8e-5, particle_density = 1131,
 
 double drag_factor(const std::string& law, double reynolds) { return find_drag_law(law)->factor({1.0, reynolds}); }
 
-/// A sphere that settles at a given Reynolds number: (pi/6) d^3 (rho_p - rho) g = 3 pi mu d F v with v = Re mu / (rho d).
+/// A sphere that settles at a given Reynolds number: (pi/6) d^3 (rho_p - rho) g = 3 pi mu d F v with v = Re mu / (rho
+/// d).
 struct Settling {
     Settling(const std::string& name, double at_reynolds) : law(name), reynolds(at_reynolds)
     {
@@ -61,8 +62,8 @@ struct Settling {
     double reynolds, diameter, velocity, relaxation_time;
 };
 
-/// The particle in a column of gas that is long enough for it. Two-way, cells are so wide (1000 d) that the particle takes
-/// less than 1e-9 of them, and the gas is held at rest: it sees the isolated sphere's drag either way.
+/// The particle in a column of gas that is long enough for it. Two-way, cells are so wide (1000 d) that the particle
+/// takes less than 1e-9 of them, and the gas is held at rest: it sees the isolated sphere's drag either way.
 std::unique_ptr<Scene> drop(const Settling& settling, double fall, double solid_step, bool two_way)
 {
     const double cell = 1000 * settling.diameter;
@@ -87,7 +88,8 @@ std::unique_ptr<Scene> drop(const Settling& settling, double fall, double solid_
 double falling(const Scene& scene)
 {
     double mine = 0;
-    for (std::size_t i = 0; i < scene.particles.size(); ++i) mine -= scene.particles.velocity(i).z();
+    for (std::size_t i = 0; i < scene.particles.size(); ++i)
+        mine -= scene.particles.velocity(i).z();
     return world().sum(mine);
 }
 
@@ -96,14 +98,17 @@ class EachDragLaw : public testing::TestWithParam<std::string> {};
 std::vector<std::string> names_of_laws()
 {
     std::vector<std::string> names;
-    for (const DragLaw& law : drag_laws()) names.emplace_back(law.name);
+    for (const DragLaw& law : drag_laws())
+        names.emplace_back(law.name);
     return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(, EachDragLaw, testing::ValuesIn(names_of_laws()), [](const auto& test) { return test.param; });
+INSTANTIATE_TEST_SUITE_P(, EachDragLaw, testing::ValuesIn(names_of_laws()),
+                         [](const auto& test) { return test.param; });
 
-// A law's published range does not matter here: whatever the formula gives is what both sides integrate. The error is of
-// first order in the gas step (drag is that of the slip at its start), here a hundredth of the relaxation time: below 0.5 %.
+// A law's published range does not matter here: whatever the formula gives is what both sides integrate. The error is
+// of first order in the gas step (drag is that of the slip at its start), here a hundredth of the relaxation time:
+// below 0.5 %.
 TEST_P(EachDragLaw, FallsAsTheEquationOfMotionSays)
 {
     if (world().size() > 1 && GetParam() != "BVK") GTEST_SKIP() << "all laws on one rank, one on several";
@@ -117,8 +122,8 @@ TEST_P(EachDragLaw, FallsAsTheEquationOfMotionSays)
             scene->advance(substeps);
             if (n % steps_between_looks) continue;
             exact = settling.after(steps_between_looks * gas_step, exact);
-            ASSERT_NEAR(falling(*scene) / exact, 1.0, 0.005) << "Re = " << reynolds << ", t = " << n / 100.0
-                                                            << " relaxation times";
+            ASSERT_NEAR(falling(*scene) / exact, 1.0, 0.005)
+                << "Re = " << reynolds << ", t = " << n / 100.0 << " relaxation times";
         }
         EXPECT_NEAR(exact / settling.velocity, 1.0, 1e-3);  // it has arrived; exp(-12) and the jump of a law at Re 1000
         EXPECT_NEAR(falling(*scene) / settling.velocity, 1.0, 0.005) << "Re = " << reynolds;
@@ -132,7 +137,8 @@ TEST(OneParticle, OneWayIsTheSameFall)
     const int substeps = 2, steps = 300;
     const double gas_step = settling.relaxation_time / 100;
     const auto scene = drop(settling, steps * gas_step * settling.velocity, gas_step / substeps, false);
-    for (int n = 0; n < steps; ++n) scene->advance(substeps);
+    for (int n = 0; n < steps; ++n)
+        scene->advance(substeps);
     EXPECT_NEAR(falling(*scene) / settling.after(steps * gas_step, 0), 1.0, 0.005);
 }
 
@@ -145,7 +151,8 @@ TEST(OneParticle, TheErrorFallsWithTheGasStepInFirstOrder)
     for (const int steps : {20, 40, 80, 160}) {
         const int substeps = 1600 / steps;  // the solid step stays
         const auto scene = drop(settling, time * settling.velocity, time / 1600, true);
-        for (int n = 0; n < steps; ++n) scene->advance(substeps);
+        for (int n = 0; n < steps; ++n)
+            scene->advance(substeps);
         errors.push_back(std::abs(falling(*scene) - exact) / settling.velocity);
     }
     for (std::size_t n = 1; n < errors.size(); ++n) {
@@ -162,7 +169,8 @@ TEST(OneParticle, WhereDragIsLinearTheGasStepDoesNotMatter)
     for (const int substeps : {10, 100, 1000}) {
         const double time = settling.relaxation_time;
         const auto scene = drop(settling, time * settling.velocity, time / 1000, true);
-        for (int n = 0; n < 1000 / substeps; ++n) scene->advance(substeps);
+        for (int n = 0; n < 1000 / substeps; ++n)
+            scene->advance(substeps);
         // the leapfrog's own error: (1e-3)^2 / 12 of the exponential, and the half step without drag at the very start
         EXPECT_NEAR(falling(*scene) / settling.after(time, 0), 1.0, 1e-3) << substeps;
     }
@@ -180,12 +188,14 @@ TEST(OneParticle, AParcelOfWFallsAsOneOfItsParticles)
     Settings rules;
     rules.method = Method::cgpm;
     rules.weight = weight;
-    Scene scene(world(), {test::even_planes(0, 3 * cell, 3), test::even_planes(0, 3 * cell, 3),
-                          test::even_planes(0, 8 * cell, 8)},
-                gas_density, viscosity, {parcel}, {0, 0, -g}, gas_step / 2, rules);
+    Scene scene(
+        world(),
+        {test::even_planes(0, 3 * cell, 3), test::even_planes(0, 3 * cell, 3), test::even_planes(0, 8 * cell, 8)},
+        gas_density, viscosity, {parcel}, {0, 0, -g}, gas_step / 2, rules);
     scene.gas.hold_velocity();
     scene.gas.set_pressure_gradient({0, 0, -gas_density * g});
-    for (int n = 0; n < 300; ++n) scene.advance(2);
+    for (int n = 0; n < 300; ++n)
+        scene.advance(2);
     EXPECT_NEAR(falling(scene) / settling.after(300 * gas_step, 0), 1.0, 0.005);
 }
 

@@ -78,9 +78,9 @@ protected:
         return made;
     }
 
-    /// Of momentum, relative. The drag on a held particle, or on one taken for held, is the difference of two terms that
-    /// are gas step / relaxation time times as large as all its momentum, and their last bits, 2e-16 each, add up over up
-    /// to 80 such steps: 1e-12 as elsewhere while that is below 100.
+    /// Of momentum, relative. The drag on a held particle, or on one taken for held, is the difference of two terms
+    /// that are gas step / relaxation time times as large as all its momentum, and their last bits, 2e-16 each, add up
+    /// over up to 80 such steps: 1e-12 as elsewhere while that is below 100.
     double round_off() const { return std::max(balance, 1e-14 * GetParam().step_ratio); }
 
     double gas_step() const { return GetParam().step_ratio * relaxation_time; }
@@ -104,7 +104,8 @@ std::vector<Stiffness> all_stiffnesses()
     std::vector<Stiffness> all;
     for (const double step_ratio : {1e-3, 1e-2, 1e-1, 1.0, 10.0, 1e2, 1e3})
         for (const double mass_ratio : {1e-3, 1e-2, 1e-1, 1.0, 10.0})
-            for (const int substeps : {1, 10}) all.push_back({step_ratio, mass_ratio, substeps});
+            for (const int substeps : {1, 10})
+                all.push_back({step_ratio, mass_ratio, substeps});
     return all;
 }
 
@@ -113,7 +114,8 @@ INSTANTIATE_TEST_SUITE_P(, StiffDrag, testing::ValuesIn(all_stiffnesses()));
 Vector particle_velocity(const Scene& scene)
 {
     Vector sum = Vector::Zero();
-    for (std::size_t i = 0; i < scene.particles.size(); ++i) sum += scene.particles.velocity(i);
+    for (std::size_t i = 0; i < scene.particles.size(); ++i)
+        sum += scene.particles.velocity(i);
     return world().sum(sum) / 8;
 }
 
@@ -122,7 +124,8 @@ TEST_P(StiffDrag, FreeParticlesAndGasMeetAtTheirMeanVelocity)
     const auto s = scene(false);
     const double r = GetParam().mass_ratio, mean = speed * r / (1 + r);
     const Vector start = s->gas.momentum();
-    // the coupler remembers a particle's last velocity in single precision, so that below 1e-7 of it free and held look alike
+    // the coupler remembers a particle's last velocity in single precision, so that below 1e-7 of it free and held look
+    // alike
     const double rounding = 1e-6 * speed;
     std::vector<double> slips{speed, speed};
     for (int n = 1; n <= steps(); ++n) {
@@ -130,9 +133,9 @@ TEST_P(StiffDrag, FreeParticlesAndGasMeetAtTheirMeanVelocity)
         const double u = s->gas.momentum().z() / s->gas.mass(), v = particle_velocity(*s).z();
         ASSERT_LT(std::max(u, v), speed + rounding) << "step " << n;
         ASSERT_GT(std::min(u, v), -rounding) << "step " << n;
-        // The velocities that the integrator reports lack the half kick that the next substep begins with, and the gas solve
-        // starts from them. So the approach may overshoot by half a substep's change; where the whole gas step is one
-        // substep, that is half of everything, and oscillates. It fades.
+        // The velocities that the integrator reports lack the half kick that the next substep begins with, and the gas
+        // solve starts from them. So the approach may overshoot by half a substep's change; where the whole gas step is
+        // one substep, that is half of everything, and oscillates. It fades.
         ASSERT_GT(u - v, -0.51 * speed / GetParam().substeps) << "step " << n;
         if (GetParam().substeps > 1) {
             ASSERT_LE(std::abs(u - v), std::max(slips.back(), slips.end()[-2]) + rounding) << "step " << n;

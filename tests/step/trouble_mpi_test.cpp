@@ -71,7 +71,8 @@ TEST(Trouble, AParticleOutsideTheMeshAtTheStart)
     auto all = ten();
     all[6].position = Vector(0.005, 0.012, 0.03);
     const std::string message = message_of(*scene(all));
-    expect_parts(message, {"particle 107", rank_of(107), "in no gas cell", "(0.005 0.012 0.03)", "remedy:", "outsideMesh"});
+    expect_parts(message,
+                 {"particle 107", rank_of(107), "in no gas cell", "(0.005 0.012 0.03)", "remedy:", "outsideMesh"});
 }
 
 TEST(Trouble, AParticleThatLeavesTheMesh)
@@ -80,7 +81,8 @@ TEST(Trouble, AParticleThatLeavesTheMesh)
     all[3].velocity = Vector(30, 0, 0);  // a hundred times 1e-5 s: 0.03 m, out of a cell of 0.01
     const auto s = scene(all);
     std::string message;
-    for (int n = 0; n < 20 && message.empty(); ++n) message = message_of(*s);
+    for (int n = 0; n < 20 && message.empty(); ++n)
+        message = message_of(*s);
     expect_parts(message, {"particle 104", rank_of(104), "in no gas cell"});
 }
 
@@ -93,10 +95,12 @@ TEST(Trouble, OutsideTheMeshOnPurposeIsCounted)
     rules.outside_mesh = OutsideMesh::ignore;
     const auto s = scene(all, rules);
     s->gas.set_velocity({0, 0, 1});
-    for (int n = 0; n < 3; ++n) EXPECT_EQ(message_of(*s), "");
+    for (int n = 0; n < 3; ++n)
+        EXPECT_EQ(message_of(*s), "");
     EXPECT_EQ(s->step.interventions().outside_mesh, 6);
     for (std::size_t i = 0; i < s->particles.size(); ++i)
-        EXPECT_EQ(s->particles.velocity(i) == Vector::Zero(), s->particles.id(i) == 103 || s->particles.id(i) == 108) << i;
+        EXPECT_EQ(s->particles.velocity(i) == Vector::Zero(), s->particles.id(i) == 103 || s->particles.id(i) == 108)
+            << i;
 }
 
 TEST(Trouble, AVelocityThatIsNotFiniteAtTheStart)
@@ -105,8 +109,8 @@ TEST(Trouble, AVelocityThatIsNotFiniteAtTheStart)
         auto all = ten();
         all[8].velocity.y() = bad;
         const std::string message = message_of(*scene(all));  // before it could make others' so too
-        expect_parts(message, {"velocity", "particle 109", rank_of(109), "not finite", "v = (0 ", "where:  at (0.005 0.005 ",
-                               "remedy:"});
+        expect_parts(message, {"velocity", "particle 109", rank_of(109), "not finite", "v = (0 ",
+                               "where:  at (0.005 0.005 ", "remedy:"});
     }
 }
 
@@ -135,8 +139,8 @@ TEST(Trouble, ALostParticle)
     EXPECT_EQ(message_of(*s), "");
     s->particles.remove_next(105);
     // number 4: at 0.4 + 0.8 n cells
-    expect_parts(message_of(*s), {"1 of 10 particles were lost", "where:", "particle 105", rank_of(105), "(0.005 0.005 0.036)",
-                                  "remedy:"});
+    expect_parts(message_of(*s), {"1 of 10 particles were lost", "where:", "particle 105", rank_of(105),
+                                  "(0.005 0.005 0.036)", "remedy:"});
 }
 
 TEST(Trouble, AParticleLostInTheFirstStep)

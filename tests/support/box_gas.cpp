@@ -6,15 +6,14 @@
 namespace interphase::test {
 
 BoxGas::BoxGas(const Communicator& comm, const BoxMesh& mesh, double density, double viscosity)
-    : comm_(comm)
-    , mesh_(mesh)
-    , density_(density)
-    , viscosity_(viscosity)
-    , inertia_(density)
-    , velocity_(3 * mesh.view().size(), 0.0)
-    , voidage_(mesh.view().size(), 1.0)
-{
-}
+    : comm_(comm),
+      mesh_(mesh),
+      density_(density),
+      viscosity_(viscosity),
+      inertia_(density),
+      velocity_(3 * mesh.view().size(), 0.0),
+      voidage_(mesh.view().size(), 1.0)
+{}
 
 void BoxGas::solve(double dt, const Scalars& rate, const Scalars& source)
 {
@@ -22,8 +21,8 @@ void BoxGas::solve(double dt, const Scalars& rate, const Scalars& source)
     for (std::size_t c = 0; c < voidage_.size(); ++c)
         for (int axis = 0; axis < 3; ++axis) {
             double& u = velocity_[3 * c + static_cast<std::size_t>(axis)];
-            const double force = source[3 * c + static_cast<std::size_t>(axis)] + body_force_[axis] -
-                                 voidage_[c] * gradient_[axis];
+            const double force =
+                source[3 * c + static_cast<std::size_t>(axis)] + body_force_[axis] - voidage_[c] * gradient_[axis];
             u = (inertia_ * u + dt * force) / (inertia_ + dt * rate[c]);
         }
 }
@@ -31,13 +30,15 @@ void BoxGas::solve(double dt, const Scalars& rate, const Scalars& source)
 Scalars BoxGas::pressure_gradient() const
 {
     Scalars flat;
-    for (std::size_t c = 0; c < voidage_.size(); ++c) flat.insert(flat.end(), gradient_.data(), gradient_.data() + 3);
+    for (std::size_t c = 0; c < voidage_.size(); ++c)
+        flat.insert(flat.end(), gradient_.data(), gradient_.data() + 3);
     return flat;
 }
 
 void BoxGas::set_velocity(const Vector& u)
 {
-    for (std::size_t c = 0; c < voidage_.size(); ++c) set_velocity(c, u);
+    for (std::size_t c = 0; c < voidage_.size(); ++c)
+        set_velocity(c, u);
 }
 
 void BoxGas::set_velocity(std::size_t cell, const Vector& u) { std::copy_n(u.data(), 3, &velocity_[3 * cell]); }
@@ -45,7 +46,8 @@ void BoxGas::set_velocity(std::size_t cell, const Vector& u) { std::copy_n(u.dat
 Vector BoxGas::momentum() const
 {
     Vector sum = Vector::Zero();
-    for (std::size_t c = 0; c < voidage_.size(); ++c) sum += inertia_ * mesh_.view().volume[c] * velocity_in(c);
+    for (std::size_t c = 0; c < voidage_.size(); ++c)
+        sum += inertia_ * mesh_.view().volume[c] * velocity_in(c);
     return comm_.sum(sum);
 }
 

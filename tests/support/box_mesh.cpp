@@ -38,7 +38,8 @@ BoxMesh::BoxMesh(const Communicator& comm, Planes planes, int cut)
 int BoxMesh::rank_of_layer(int layer) const
 {
     int rank = 0;
-    while (first_layer(rank + 1) <= layer) ++rank;
+    while (first_layer(rank + 1) <= layer)
+        ++rank;
     return rank;
 }
 
@@ -143,7 +144,8 @@ Scalars graded_planes(double low, double high, int cells, double ratio)
         thickness *= ratio;
     }
     const double sum = planes.back();
-    for (double& plane : planes) plane = low + (high - low) * plane / sum;
+    for (double& plane : planes)
+        plane = low + (high - low) * plane / sum;
     planes.back() = high;
     return planes;
 }

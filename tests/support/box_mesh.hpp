@@ -9,8 +9,8 @@
 
 namespace interphase::test {
 
-/// A box of nx x ny x nz cells between planes normal to the axes, cut into slabs along one axis: rank r of the communicator
-/// owns slab r. What an engine's mesh is to the coupler, with every answer known in closed form.
+/// A box of nx x ny x nz cells between planes normal to the axes, cut into slabs along one axis: rank r of the
+/// communicator owns slab r. What an engine's mesh is to the coupler, with every answer known in closed form.
 class BoxMesh : public CellLocator {
 public:
     using Planes = std::array<Scalars, 3>;

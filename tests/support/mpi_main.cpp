@@ -9,8 +9,7 @@
 namespace {
 
 /// Prints nothing but what failed, and on which rank.
-class FailuresOfRank : public testing::EmptyTestEventListener
-{
+class FailuresOfRank : public testing::EmptyTestEventListener {
 public:
     explicit FailuresOfRank(int rank) : rank_(rank) {}
 
@@ -22,10 +21,10 @@ public:
 
     void OnTestPartResult(const testing::TestPartResult& result) override
     {
-        if (!result.failed())
-            return;
+        if (!result.failed()) return;
         std::fprintf(stderr, "[rank %d] %s failed at %s:%d\n%s\n", rank_, test_.c_str(),
-                     result.file_name() ? result.file_name() : "(unknown file)", result.line_number(), result.message());
+                     result.file_name() ? result.file_name() : "(unknown file)", result.line_number(),
+                     result.message());
         std::fflush(stderr);
     }
 

@@ -10,7 +10,8 @@ PointParticles::PointParticles(const Communicator& comm, const std::vector<Parti
     : comm_(comm), gravity_(gravity), solid_step_(solid_step)
 {
     const auto n = static_cast<Eigen::Index>(mine.size());
-    for (auto* field : {&position_, &velocity_, &spin_, &force_, &fluid_force_}) field->setZero(3, n);
+    for (auto* field : {&position_, &velocity_, &spin_, &force_, &fluid_force_})
+        field->setZero(3, n);
     radius_.resize(n);
     mass_.resize(n);
     for (std::size_t i = 0; i < mine.size(); ++i) {
@@ -94,7 +95,8 @@ void PointParticles::erase(std::size_t i)
         (*field)[column(i)] = (*field)[column(last)];
         field->conservativeResize(column(last));
     }
-    for (std::size_t k = 0; k < 3; ++k) booked_[3 * i + k] = booked_[3 * last + k];
+    for (std::size_t k = 0; k < 3; ++k)
+        booked_[3 * i + k] = booked_[3 * last + k];
     id_[i] = id_[last];
     held_[i] = held_[last];
     fluid_[i] = fluid_[last];

@@ -17,12 +17,13 @@ struct Particle {
     bool held = false;       ///< by rigid contacts, where it is
 };
 
-/// Particles that do not touch each other, moved by the velocity Verlet steps of LIGGGHTS's integrator: half a kick with the
-/// last substep's force, a drift, the forces (the fluid's last, as its fix does), half a kick. A held particle feels the
-/// contact force that keeps it at rest.
+/// Particles that do not touch each other, moved by the velocity Verlet steps of LIGGGHTS's integrator: half a kick
+/// with the last substep's force, a drift, the forces (the fluid's last, as its fix does), half a kick. A held particle
+/// feels the contact force that keeps it at rest.
 class PointParticles : public Solids {
 public:
-    PointParticles(const Communicator& comm, const std::vector<Particle>& mine, const Vector& gravity, double solid_step);
+    PointParticles(const Communicator& comm, const std::vector<Particle>& mine, const Vector& gravity,
+                   double solid_step);
 
     ParticleView particles() override;
     Vector gravity() const override { return gravity_; }
@@ -46,8 +47,8 @@ public:
     }
     void allow_removal() { may_remove_ = true; }
 
-    /// Momentum of the particles that move, with the half kick of the fluid force that the next substep begins with, so that
-    /// it holds the whole impulse taken [kg m/s]. Collective.
+    /// Momentum of the particles that move, with the half kick of the fluid force that the next substep begins with, so
+    /// that it holds the whole impulse taken [kg m/s]. Collective.
     Vector momentum() const;
 
     /// What held particles took from the gas so far, and their contacts from them [kg m/s]. Collective.

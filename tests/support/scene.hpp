@@ -13,18 +13,17 @@ namespace interphase::test {
 /// A coupling step with everything it needs: a gas in a box, point particles, the rules between them.
 class Scene {
 public:
-    /// `all`: the particles of all ranks, the same list on each. Particle n lives on rank n modulo the number of ranks, so
-    /// that the two decompositions have little in common.
+    /// `all`: the particles of all ranks, the same list on each. Particle n lives on rank n modulo the number of ranks,
+    /// so that the two decompositions have little in common.
     Scene(const Communicator& comm, const BoxMesh::Planes& planes, double gas_density, double viscosity,
           const std::vector<Particle>& all, const Vector& gravity, double solid_step, const Settings& rules)
-        : settings(rules)
-        , mesh(comm, planes, 2)
-        , gas(comm, mesh, gas_density, viscosity)
-        , particles(comm, share_of(comm, all), gravity, solid_step)
-        , step(comm, settings, gas, particles, largest_diameter(all), stopwatch)
-        , solid_step_(solid_step)
-    {
-    }
+        : settings(rules),
+          mesh(comm, planes, 2),
+          gas(comm, mesh, gas_density, viscosity),
+          particles(comm, share_of(comm, all), gravity, solid_step),
+          step(comm, settings, gas, particles, largest_diameter(all), stopwatch),
+          solid_step_(solid_step)
+    {}
 
     Scene(const Scene&) = delete;  // its parts refer to each other
     Scene& operator=(const Scene&) = delete;
@@ -50,7 +49,8 @@ private:
     static double largest_diameter(const std::vector<Particle>& all)
     {
         double largest = 0;
-        for (const Particle& p : all) largest = std::max(largest, p.diameter);
+        for (const Particle& p : all)
+            largest = std::max(largest, p.diameter);
         return largest;
     }
 

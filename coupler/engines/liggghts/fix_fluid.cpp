@@ -42,7 +42,7 @@ void FixFluid::post_force(int)
     double* force = atom->f[0];
     const double* velocity = atom->v[0];
     double* booked = booked_.data();
-    for (int i = 0; i < count; ++i) 
+    for (int i = 0; i < count; ++i)
         forces_[index(i)].apply(force + 3 * i, velocity + 3 * i, booked + 3 * i);
 }
 

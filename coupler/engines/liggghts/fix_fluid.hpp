@@ -9,8 +9,8 @@
 
 namespace interphase {
 
-/// The LIGGGHTS fix style `interphase/fluid`: keeps a FluidForce, its booked sum and a ParticleCoupling per atom, lets them
-/// travel with their atom, and applies the force. It must be the last fix that changes forces.
+/// The LIGGGHTS fix style `interphase/fluid`: keeps a FluidForce, its booked sum and a ParticleCoupling per atom, lets
+/// them travel with their atom, and applies the force. It must be the last fix that changes forces.
 class FixFluid : public LAMMPS_NS::Fix {
 public:
     static constexpr const char* style_name = "interphase/fluid";

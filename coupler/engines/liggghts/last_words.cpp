@@ -30,7 +30,8 @@ void show()
         if (last.size() > 6) last.pop_front();
     }
     std::fprintf(stderr, "\ninterphase: error: LIGGGHTS stopped. The end of %s:\n", LastWords::log_name);
-    for (const auto& line : last) std::fprintf(stderr, "  | %s\n", line.c_str());
+    for (const auto& line : last)
+        std::fprintf(stderr, "  | %s\n", line.c_str());
     std::fprintf(stderr, "  remedy: the line before ERROR is the command of the script that it refers to\n");
 }
 

@@ -3,8 +3,8 @@
 
 namespace interphase {
 
-/// LIGGGHTS ends the process on an error, with its words in its log only. While one of these lives, such an end shows them:
-/// an exit of all ranks on the one that speaks, an abort on the rank that aborts.
+/// LIGGGHTS ends the process on an error, with its words in its log only. While one of these lives, such an end shows
+/// them: an exit of all ranks on the one that speaks, an abort on the rank that aborts.
 class LastWords {
 public:
     static constexpr const char* log_name = "dem/log.liggghts";

@@ -25,10 +25,7 @@ namespace interphase {
 
 namespace {
 
-LAMMPS_NS::Fix* create_fix_fluid(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
-{
-    return new FixFluid(lmp, narg, arg);
-}
+LAMMPS_NS::Fix* create_fix_fluid(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) { return new FixFluid(lmp, narg, arg); }
 
 }  // namespace
 
@@ -41,9 +38,11 @@ LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& setting
     char weight[32];
     std::snprintf(weight, sizeof weight, "%.17g", settings.weight);
     pass("weight", weight);
-    for (const auto& [name, value] : settings.variables) pass(name, value);
+    for (const auto& [name, value] : settings.variables)
+        pass(name, value);
     std::vector<char*> argv;
-    for (std::string& word : words) argv.push_back(word.data());
+    for (std::string& word : words)
+        argv.push_back(word.data());
 
     const LastWords of_liggghts(comm_.is_master());
     void* handle = nullptr;
@@ -69,8 +68,8 @@ void LiggghtsSolids::refuse_unusable_scene() const
         throw UserError(std::string("the script computes in units `") + lmp_->update->unit_style + "`", script,
                         "add `units si`: the gas is in SI units");
     if (settings_.gas != GasModel::none && lmp_->modify->find_fix_style_strict("freeze", 0))
-        throw UserError("fix freeze clears forces before the fluid force is added, so the particles would drift", script,
-                        "hold particles by leaving them out of the integrator's group instead");
+        throw UserError("fix freeze clears forces before the fluid force is added, so the particles would drift",
+                        script, "hold particles by leaving them out of the integrator's group instead");
     if (const auto problem = unphysical_contact(*lmp_))
         throw UserError(*problem, script + ", fix property/global",
                         "correct the property, or the numbers that the script makes it from (particles/variables in "
@@ -93,7 +92,8 @@ void LiggghtsSolids::refuse_bodiless_particles() const
 double LiggghtsSolids::largest_diameter() const
 {
     double radius = 0;
-    for (int i = 0; i < lmp_->atom->nlocal; ++i) radius = std::max(radius, lmp_->atom->radius[i]);
+    for (int i = 0; i < lmp_->atom->nlocal; ++i)
+        radius = std::max(radius, lmp_->atom->radius[i]);
     return 2 * comm_.max(radius);
 }
 

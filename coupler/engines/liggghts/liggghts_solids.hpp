@@ -19,8 +19,8 @@ class FixFluid;
 /// LIGGGHTS, unmodified, as the engine of the particles.
 class LiggghtsSolids : public Solids {
 public:
-    /// Runs the case's script (in the current folder). An error in it ends the program, with LIGGGHTS's own words and the
-    /// line it choked on. Collective.
+    /// Runs the case's script (in the current folder). An error in it ends the program, with LIGGGHTS's own words and
+    /// the line it choked on. Collective.
     LiggghtsSolids(const Communicator& comm, const Settings& settings);
     ~LiggghtsSolids() override;
 

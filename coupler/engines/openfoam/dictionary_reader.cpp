@@ -61,7 +61,8 @@ DictionaryReader DictionaryReader::sub(const std::string& key)
 {
     const std::string path = path_ + "." + key;
     if (!has(key)) return DictionaryReader(Foam::dictionary::null, path);
-    if (!dict_.isDict(key)) throw complaint(key, "`" + key + "` is not a block in braces", "write `" + key + " { ... }`");
+    if (!dict_.isDict(key))
+        throw complaint(key, "`" + key + "` is not a block in braces", "write `" + key + " { ... }`");
     return DictionaryReader(dict_.subDict(key, Foam::keyType::LITERAL), path);
 }
 

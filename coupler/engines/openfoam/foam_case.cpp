@@ -14,11 +14,11 @@
 #include "OSspecific.H"
 #include "Time.H"
 #include "argList.H"
-#include "error.H"
 #include "base/user_error.hpp"
 #include "engines/openfoam/frozen_gas.hpp"
 #include "engines/openfoam/pimple_gas.hpp"
 #include "engines/openfoam/read_settings.hpp"
+#include "error.H"
 #include "foamVersion.H"
 
 namespace interphase {
@@ -64,12 +64,14 @@ void refuse_wrong_decomposition(const std::filesystem::path& folder)
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
     if (ranks == 1) return;
     int parts = 0;
-    while (std::filesystem::is_directory(folder / ("processor" + std::to_string(parts)))) ++parts;
+    while (std::filesystem::is_directory(folder / ("processor" + std::to_string(parts))))
+        ++parts;
     const std::string decompose = "run `decomposePar -force` with numberOfSubdomains " + std::to_string(ranks) +
                                   " in system/decomposeParDict (tools/run --ranks does both)";
     if (parts == 0)
-        throw UserError("the run has " + std::to_string(ranks) + " ranks, and the case is not decomposed: there is no processor0",
-                        folder.string(), decompose + ", or start 1 rank");
+        throw UserError(
+            "the run has " + std::to_string(ranks) + " ranks, and the case is not decomposed: there is no processor0",
+            folder.string(), decompose + ", or start 1 rank");
     if (parts != ranks)
         throw UserError("the case is decomposed into " + std::to_string(parts) + " parts, and the run has " +
                             std::to_string(ranks) + " ranks",
@@ -84,8 +86,8 @@ void refuse_what_is_not_solved(const Foam::Time& time)
 {
     for (const Foam::word& folder : {time.constant(), time.system()})
         if (Foam::isFile(time.globalPath() / folder / "fvOptions"))
-            throw UserError("the case has fvOptions, which the gas solver does not apply", std::string(folder) + "/fvOptions",
-                            "remove the file");
+            throw UserError("the case has fvOptions, which the gas solver does not apply",
+                            std::string(folder) + "/fvOptions", "remove the file");
     const Foam::fileName turbulence = time.globalPath() / time.constant() / "turbulenceProperties";
     if (!Foam::isFile(turbulence)) return;
     Foam::IFstream stream(turbulence);
@@ -115,8 +117,8 @@ void with_foam_errors(const std::function<void()>& body)
     try {
         body();
     } catch (const Foam::IOerror& error) {
-        throw UserError(error.message(), std::string(error.ioFileName()) + ", line " +
-                                             std::to_string(error.ioStartLineNumber()),
+        throw UserError(error.message(),
+                        std::string(error.ioFileName()) + ", line " + std::to_string(error.ioStartLineNumber()),
                         "see the message; OpenFOAM's own output is in log.openfoam");
     } catch (const Foam::error& error) {
         throw UserError(error.message(), "OpenFOAM, " + std::string(error.functionName()),
@@ -142,15 +144,18 @@ FoamCase::FoamCase(int& argc, char**& argv) : parts_(std::make_unique<Parts>())
         throw UserError("the option -parallel, and one rank only", "the command line",
                         "leave -parallel away, or start more ranks: mpirun -np N (srun -n N) before the program");
 
-    setenv("PWD", std::filesystem::current_path().c_str(), 1);  // OpenFOAM complains of a launcher that left an older one
+    setenv("PWD", std::filesystem::current_path().c_str(),
+           1);  // OpenFOAM complains of a launcher that left an older one
     Foam::argList::noBanner();
-    // What it refuses it says itself, and ends all ranks: an exception would come from one rank and leave the others waiting.
+    // What it refuses it says itself, and ends all ranks: an exception would come from one rank and leave the others
+    // waiting.
     parts_->args = std::make_unique<Foam::argList>(argc, argv);
     Foam::FatalError.throwExceptions();
     Foam::FatalIOError.throwExceptions();
     std::filesystem::current_path(std::string(parts_->args->globalPath()));
     parts_->output.emplace(Foam::UPstream::master());
-    with_foam_errors([this] { parts_->time = std::make_unique<Foam::Time>(Foam::Time::controlDictName, *parts_->args); });
+    with_foam_errors(
+        [this] { parts_->time = std::make_unique<Foam::Time>(Foam::Time::controlDictName, *parts_->args); });
 }
 
 FoamCase::~FoamCase() { parts_->output->flush(); }

@@ -27,9 +27,9 @@ public:
     std::string name() const;  ///< of the case folder
     std::string version() const;
 
-    double time() const;           ///< [s]
-    double end_time() const;       ///< [s]
-    double gas_step() const;       ///< deltaT of controlDict [s]
+    double time() const;      ///< [s]
+    double end_time() const;  ///< [s]
+    double gas_step() const;  ///< deltaT of controlDict [s]
     bool adjusts_gas_step() const;
     double largest_courant_number() const;  ///< maxCo of controlDict
     double largest_gas_step() const;        ///< maxDeltaT [s]

@@ -38,8 +38,8 @@ IOobject in_time(const fvMesh& mesh, const char* name, IOobject::readOption read
 
 dictionary transport_properties(const fvMesh& mesh)
 {
-    return IOdictionary(IOobject("transportProperties", mesh.time().constant(), mesh, IOobject::MUST_READ,
-                                 IOobject::NO_WRITE, false));
+    return IOdictionary(
+        IOobject("transportProperties", mesh.time().constant(), mesh, IOobject::MUST_READ, IOobject::NO_WRITE, false));
 }
 
 }  // namespace
@@ -48,24 +48,24 @@ double positive_property(const dictionary& dictionary, const char* name)
 {
     const double value = dictionary.get<dimensionedScalar>(name).value();
     if (!(value > 0))
-        throw UserError(std::string(name) + " = " + text(value) + " is not positive",
-                        std::string(dictionary.name()) + ", line " +
-                            std::to_string(dictionary.findEntry(name)->startLineNumber()),
-                        "give the gas's density rho in kg/m3 and dynamic viscosity mu in Pa s");
+        throw UserError(
+            std::string(name) + " = " + text(value) + " is not positive",
+            std::string(dictionary.name()) + ", line " + std::to_string(dictionary.findEntry(name)->startLineNumber()),
+            "give the gas's density rho in kg/m3 and dynamic viscosity mu in Pa s");
     return value;
 }
 
 GasFields::GasFields(fvMesh& mesh)
-    : mesh_(mesh)
-    , part_(mesh)
-    , g_(IOobject("g", mesh.time().constant(), mesh, IOobject::MUST_READ, IOobject::NO_WRITE))
-    , rho_("rho", dimDensity, positive_property(transport_properties(mesh), "rho"))
-    , mu_("mu", dimPressure * dimTime, positive_property(transport_properties(mesh), "mu"))
-    , U_(in_time(mesh, "U", IOobject::MUST_READ), mesh)
-    , p_rgh_(in_time(mesh, "p_rgh", IOobject::MUST_READ), mesh)
-    , voidage_(in_time(mesh, "voidage", IOobject::NO_READ), mesh, dimensionedScalar("one", dimless, 1),
-               voidage_patch_types(U_))
-    , p_(in_time(mesh, "p", IOobject::NO_READ), p_rgh_ + rho_ * (g_ & mesh.C()))
+    : mesh_(mesh),
+      part_(mesh),
+      g_(IOobject("g", mesh.time().constant(), mesh, IOobject::MUST_READ, IOobject::NO_WRITE)),
+      rho_("rho", dimDensity, positive_property(transport_properties(mesh), "rho")),
+      mu_("mu", dimPressure * dimTime, positive_property(transport_properties(mesh), "mu")),
+      U_(in_time(mesh, "U", IOobject::MUST_READ), mesh),
+      p_rgh_(in_time(mesh, "p_rgh", IOobject::MUST_READ), mesh),
+      voidage_(in_time(mesh, "voidage", IOobject::NO_READ), mesh, dimensionedScalar("one", dimless, 1),
+               voidage_patch_types(U_)),
+      p_(in_time(mesh, "p", IOobject::NO_READ), p_rgh_ + rho_ * (g_ & mesh.C()))
 {
     if (p_rgh_.dimensions() != dimPressure)
         throw UserError("p_rgh has other dimensions than a pressure", std::string(p_rgh_.objectPath()),
@@ -74,7 +74,8 @@ GasFields::GasFields(fvMesh& mesh)
 
 void GasFields::set_voidage(const Scalars& voidage)
 {
-    scalarField& cells = voidage_.primitiveFieldRef();  // keeps the values of the last step, as plain indexing would not
+    scalarField& cells =
+        voidage_.primitiveFieldRef();  // keeps the values of the last step, as plain indexing would not
     forAll(cells, c) cells[c] = voidage[static_cast<std::size_t>(c)];
     voidage_.correctBoundaryConditions();
     if (first_voidage_) {  // no rate of change before there were two of them
@@ -95,8 +96,8 @@ Scalars GasFields::pressure_gradient() const
     const tmp<volVectorField> gradient = fvc::grad(p_rgh_);
     const vector hydrostatic = rho_.value() * g_.value();
     Scalars flat(3 * static_cast<std::size_t>(U_.size()));
-    forAll(U_, c) for (direction axis = 0; axis < 3; ++axis)
-        flat[3 * static_cast<std::size_t>(c) + axis] = gradient()[c][axis] + hydrostatic[axis];
+    forAll(U_, c) for (direction axis = 0; axis < 3; ++axis) flat[3 * static_cast<std::size_t>(c) + axis] =
+        gradient()[c][axis] + hydrostatic[axis];
     return flat;
 }
 
@@ -106,8 +107,8 @@ std::optional<std::string> GasFields::trouble() const
     {
         if (std::isfinite(magSqr(U_[c])) && std::isfinite(p_rgh_[c])) continue;
         return "the gas field " + std::string(std::isfinite(p_rgh_[c]) ? "U" : "p_rgh") + " is not finite in cell " +
-               std::to_string(c) + " of rank " + std::to_string(UPstream::myProcNo()) +
-               "\n  where:  at " + text(part_.view().centre[static_cast<std::size_t>(c)]) +
+               std::to_string(c) + " of rank " + std::to_string(UPstream::myProcNo()) + "\n  where:  at " +
+               text(part_.view().centre[static_cast<std::size_t>(c)]) +
                "\n  remedy: reduce deltaT (or maxCo) in system/controlDict; look at the last written fields";
     }
     return std::nullopt;
@@ -120,8 +121,8 @@ double GasFields::pressure_at(const Vector& point) const
     reduce(sums[0], sumOp<scalar>());
     reduce(sums[1], sumOp<scalar>());
     if (sums[1] == 0)
-        throw UserError("the point " + text(point) + " is in no cell of the mesh", "records/pressureTaps in system/couplingDict",
-                        "give points inside the mesh");
+        throw UserError("the point " + text(point) + " is in no cell of the mesh",
+                        "records/pressureTaps in system/couplingDict", "give points inside the mesh");
     return sums[0] / sums[1];
 }
 
@@ -138,6 +139,6 @@ Box GasFields::bounds() const
 
 Vector GasFields::gravity() const { return {g_.value().x(), g_.value().y(), g_.value().z()}; }
 
-void GasFields::update_pressure() { p_ == p_rgh_ + rho_ * (g_ & mesh_.C()); }
+void GasFields::update_pressure() { p_ == p_rgh_ + rho_*(g_ & mesh_.C()); }
 
 }  // namespace interphase

@@ -32,7 +32,8 @@ void MeshPart::measure_cells()
     forAll(mesh_.cells(), c)
     {
         Box box = empty_box();
-        for (const Foam::label p : points_of_cells[c]) extend(box, to_eigen(mesh_.points()[p]));
+        for (const Foam::label p : points_of_cells[c])
+            extend(box, to_eigen(mesh_.points()[p]));
         view_.centre.push_back(to_eigen(mesh_.cellCentres()[c]));
         view_.extent.push_back(box.col(1) - box.col(0));
         view_.volume.push_back(mesh_.cellVolumes()[c]);

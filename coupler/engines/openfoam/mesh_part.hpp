@@ -23,9 +23,9 @@ public:
 private:
     /// A face as seen from one of its cells.
     struct Side {
-        Vector outward;       ///< unit normal of its plane
-        double offset;        ///< outward . x on the plane
-        CellAddress beyond;   ///< unknown at a boundary of the mesh
+        Vector outward;      ///< unit normal of its plane
+        double offset;       ///< outward . x on the plane
+        CellAddress beyond;  ///< unknown at a boundary of the mesh
 
         double distance(const Vector& point) const { return outward.dot(point) - offset; }
     };

@@ -23,11 +23,12 @@ DimensionedField<Type, volMesh> cell_field(const fvMesh& mesh, const char* name,
 }  // namespace
 
 PimpleGas::PimpleGas(fvMesh& mesh)
-    : GasFields(mesh)
-    , phi_(IOobject("phi", mesh.time().timeName(), mesh, IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE), fvc::flux(U_))
-    , rate_(cell_field<scalar>(mesh, "exchangeRate", dimless / dimTime))
-    , source_(cell_field<vector>(mesh, "exchangeSource", dimAcceleration))
-    , control_(mesh)
+    : GasFields(mesh),
+      phi_(IOobject("phi", mesh.time().timeName(), mesh, IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE),
+           fvc::flux(U_)),
+      rate_(cell_field<scalar>(mesh, "exchangeRate", dimless / dimTime)),
+      source_(cell_field<vector>(mesh, "exchangeSource", dimAcceleration)),
+      control_(mesh)
 {
     mesh.setFluxRequired(p_rgh_.name());
     setRefCell(p_rgh_, control_.dict(), reference_cell_, reference_pressure_);
@@ -54,9 +55,9 @@ void PimpleGas::solve(double, const Scalars& rate, const Scalars& source)
                                     fvc::div(voidage_nu * dev2(T(fvc::grad(U_)))) + fvm::Sp(rate_, U_) ==
                                 source_);
         momentum.relax();
-        if (control_.momentumPredictor())
-            Foam::solve(momentum == -voidage_ * fvc::grad(p_rgh_) / rho_);
-        while (control_.correct()) correct_pressure(momentum, voidage_rate, face_voidage);
+        if (control_.momentumPredictor()) Foam::solve(momentum == -voidage_ * fvc::grad(p_rgh_) / rho_);
+        while (control_.correct())
+            correct_pressure(momentum, voidage_rate, face_voidage);
     }
     update_pressure();
 }

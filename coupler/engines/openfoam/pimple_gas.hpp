@@ -25,7 +25,7 @@ private:
     void correct_pressure(Foam::fvVectorMatrix& momentum, const Foam::volScalarField& voidage_rate,
                           const Foam::surfaceScalarField& face_voidage);
 
-    Foam::surfaceScalarField phi_;  ///< of u [m3/s]
+    Foam::surfaceScalarField phi_;           ///< of u [m3/s]
     Foam::volScalarField::Internal rate_;    ///< over density [1/s]
     Foam::volVectorField::Internal source_;  ///< over density [m/s2]
     Foam::pimpleControl control_;

@@ -2,13 +2,13 @@
 #include "engines/openfoam/read_settings.hpp"
 
 #include "IFstream.H"
+#include "List.H"
 #include "OSspecific.H"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "drag/drag_law.hpp"
 #include "engines/openfoam/dictionary_reader.hpp"
 #include "vector.H"
-#include "List.H"
 
 namespace interphase {
 
@@ -28,7 +28,8 @@ std::vector<std::string> scene_parameters(const Foam::fileName& root)
     const Foam::fileName file = root / "parameters";
     std::vector<std::string> keys{"FoamFile"};
     if (!Foam::isFile(file)) return keys;
-    for (const auto& key : parsed(file).toc()) keys.push_back(key);
+    for (const auto& key : parsed(file).toc())
+        keys.push_back(key);
     return keys;
 }
 
@@ -36,13 +37,15 @@ void read_method(DictionaryReader& dict, Settings& settings)
 {
     const std::string method = dict.choice("method", "DEM", {"DEM", "CGPM", "TDHS", "CGHS", "MPPIC"});
     if (method != "DEM" && method != "CGPM")
-        throw dict.complaint("method", "`method " + method + ";` needs a collision style that this version does not have",
+        throw dict.complaint("method",
+                             "`method " + method + ";` needs a collision style that this version does not have",
                              "use DEM, or CGPM with a weight");
     settings.method = method == "DEM" ? Method::dem : Method::cgpm;
-    settings.weight = dict.number("weight", 1, [](double w) { return w >= 1; },
-                                  "the real particles per tracked one, at least 1");
+    settings.weight = dict.number(
+        "weight", 1, [](double w) { return w >= 1; }, "the real particles per tracked one, at least 1");
     if (settings.method == Method::dem && settings.weight != 1)
-        throw dict.complaint("weight", "`weight " + text(settings.weight) + ";` with method DEM, which tracks real particles",
+        throw dict.complaint("weight",
+                             "`weight " + text(settings.weight) + ";` with method DEM, which tracks real particles",
                              "set `weight 1;`, or `method CGPM;`");
 }
 
@@ -59,9 +62,9 @@ void read_particles(DictionaryReader dict, Settings& settings, const Foam::fileN
                                                  ? std::string(stream.first().stringToken())
                                                  : std::string(stream.toString()));
     }
-    settings.steps_per_collision =
-        dict.number("stepsPerCollision", settings.steps_per_collision, [](double s) { return s >= 10; },
-                    "at least 10 (solid steps in which one collision is resolved; 10 to 60 are usual)");
+    settings.steps_per_collision = dict.number(
+        "stepsPerCollision", settings.steps_per_collision, [](double s) { return s >= 10; },
+        "at least 10 (solid steps in which one collision is resolved; 10 to 60 are usual)");
     settings.solid_step = dict.number("solidStep", 0, positive, "above 0 (seconds)");
     if (settings.solid_step > 0 && dict.has("stepsPerCollision"))
         throw dict.complaint("solidStep", "both solidStep and stepsPerCollision are given", "keep one of them");
@@ -83,19 +86,21 @@ void read_gas(DictionaryReader dict, Settings& settings)
 void read_mapping(DictionaryReader dict, Settings& settings)
 {
     settings.mapping = dict.choice("type", "kernel", {"kernel", "cellCentre"}) == "kernel" ? MappingType::kernel
-                                                                                         : MappingType::cell_centre;
+                                                                                           : MappingType::cell_centre;
     settings.kernel_width = dict.number("width", 0, positive, "above 0 (the kernel's least half-width in metres)");
     if (settings.kernel_width > 0 && settings.mapping == MappingType::cell_centre)
         throw dict.complaint("width", "a kernel width with `type cellCentre;`", "remove it, or set `type kernel;`");
-    settings.maximum_packing = dict.number("maximumPacking", settings.maximum_packing,
-                                           [](double p) { return p > 0 && p < 1; }, "a solid fraction between 0 and 1");
+    settings.maximum_packing = dict.number(
+        "maximumPacking", settings.maximum_packing, [](double p) { return p > 0 && p < 1; },
+        "a solid fraction between 0 and 1");
     dict.refuse_unknown_keys();
 }
 
 void read_drag(DictionaryReader dict, Settings& settings)
 {
     std::vector<std::string> names;
-    for (const DragLaw& law : drag_laws()) names.emplace_back(law.name);
+    for (const DragLaw& law : drag_laws())
+        names.emplace_back(law.name);
     settings.drag_law = dict.choice("law", settings.drag_law, names);
     dict.refuse_unknown_keys();
 }
@@ -109,7 +114,8 @@ void read_records(DictionaryReader dict, Settings& settings)
         if (taps.size() != 2)
             throw dict.complaint("pressureTaps", std::to_string(taps.size()) + " pressure taps",
                                  "give two points: the pressure of the first less that of the second is recorded");
-        for (const Foam::vector& p : taps) settings.pressure_taps.emplace_back(p.x(), p.y(), p.z());
+        for (const Foam::vector& p : taps)
+            settings.pressure_taps.emplace_back(p.x(), p.y(), p.z());
     }
     dict.refuse_unknown_keys();
 }
@@ -125,7 +131,8 @@ Settings read_coupling_dict(const Foam::fileName& root)
     Settings settings;
     read_method(dict, settings);
     if (!dict.has("particles"))
-        throw dict.complaint("particles", "the block `particles { ... }` is missing", "add it, with the LIGGGHTS script");
+        throw dict.complaint("particles", "the block `particles { ... }` is missing",
+                             "add it, with the LIGGGHTS script");
     read_particles(dict.sub("particles"), settings, root);
     read_gas(dict.sub("gas"), settings);
     read_drag(dict.sub("drag"), settings);

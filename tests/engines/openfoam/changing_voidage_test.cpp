@@ -9,7 +9,7 @@ namespace interphase::testing_gas {
 namespace {
 
 constexpr double eps_0 = 0.9, depth = 0.4, reach = 0.75;
-constexpr double frequency = 4;  // [rad/s]
+constexpr double frequency = 4;    // [rad/s]
 constexpr double duration = 1.28;  // [s]; near the end the solids are drawn out, with u about -0.4 m/s at the outlet
 
 double pressed(double t) { return 0.5 * depth * (1 - std::cos(frequency * t)); }  // a B, with B'(0) = 0
@@ -31,9 +31,10 @@ double error(int cells, int steps, const std::string& time_scheme)
 {
     Scene scene;
     scene.cells = {cells, 1, 1};
-    scene.sides[0] = {"wall",
-                      {"type fixedValue; value uniform (0 0 0);", "type zeroGradient;"},
-                      {"type fixedFluxPressure; gradient uniform 0; value uniform 0;", "type fixedValue; value uniform 0;"}};
+    scene.sides[0] = {
+        "wall",
+        {"type fixedValue; value uniform (0 0 0);", "type zeroGradient;"},
+        {"type fixedFluxPressure; gradient uniform 0; value uniform 0;", "type fixedValue; value uniform 0;"}};
     scene.gas_step = duration / steps;
     scene.time_scheme = time_scheme;
 
@@ -58,22 +59,27 @@ TEST(ChangingVoidage, IsFirstOrderInTheGasStepWithEuler)
 {
     const std::vector<double> errors{error(64, 32, "Euler"), error(64, 64, "Euler"), error(64, 128, "Euler")};
     // 0.90 and 0.96 are seen: the second-order remainder still shows at these steps
-    for (const double order : observed_orders(errors)) EXPECT_NEAR(order, 1, 0.15);
+    for (const double order : observed_orders(errors))
+        EXPECT_NEAR(order, 1, 0.15);
     EXPECT_LT(errors.back(), 5e-3);  // of 0.4 m/s
 }
 
 TEST(ChangingVoidage, IsSecondOrderInTheGasStepWithBackward)
 {
-    const std::vector<double> errors{error(128, 32, "backward"), error(128, 64, "backward"), error(128, 128, "backward")};
+    const std::vector<double> errors{error(128, 32, "backward"), error(128, 64, "backward"),
+                                     error(128, 128, "backward")};
     // 2.03 and 2.04 are seen; the error of the mesh is a tenth of the last one
-    for (const double order : observed_orders(errors)) EXPECT_NEAR(order, 2, 0.2);
+    for (const double order : observed_orders(errors))
+        EXPECT_NEAR(order, 2, 0.2);
     EXPECT_LT(errors.back(), 4e-4);
 }
 
 TEST(ChangingVoidage, IsSecondOrderInTheMesh)
 {
-    const std::vector<double> errors{error(32, 1024, "backward"), error(64, 1024, "backward"), error(128, 1024, "backward")};
-    for (const double order : observed_orders(errors)) EXPECT_NEAR(order, 2, 0.25);  // 1.87 and 2.00 are seen
+    const std::vector<double> errors{error(32, 1024, "backward"), error(64, 1024, "backward"),
+                                     error(128, 1024, "backward")};
+    for (const double order : observed_orders(errors))
+        EXPECT_NEAR(order, 2, 0.25);  // 1.87 and 2.00 are seen
 }
 
 }  // namespace

@@ -22,8 +22,9 @@ namespace interphase::testing_gas {
 
 /// The two sides of the box that face along one axis.
 struct Sides {
-    std::string type;                       ///< of the patches: cyclic, empty, patch or wall
-    std::array<std::string, 2> velocity{};  ///< boundary condition of U on the low and the high side; empty: the type's own
+    std::string type;  ///< of the patches: cyclic, empty, patch or wall
+    std::array<std::string, 2>
+        velocity{};  ///< boundary condition of U on the low and the high side; empty: the type's own
     std::array<std::string, 2> pressure{};  ///< of p_rgh
 };
 
@@ -45,7 +46,7 @@ struct Scene {
     Vector size{1, 1, 1};  ///< of the box [m]
     std::array<int, 3> cells{1, 1, 1};
     std::array<Sides, 3> sides{unresolved, unresolved, unresolved};
-    double density = 1;     ///< [kg/m3]
+    double density = 1;       ///< [kg/m3]
     double viscosity = 1e-9;  ///< [Pa s]
     double gas_step = 1e-3;   ///< [s]
     std::string time_scheme = "Euler";
@@ -81,7 +82,8 @@ public:
         if (std::system(("blockMesh -case " + folder_ + " > " + log + " 2>&1").c_str()) != 0)
             throw std::runtime_error("blockMesh failed, see " + log);
         arguments_[2] = folder_;
-        for (std::size_t i = 0; i < arguments_.size(); ++i) argument_pointers_[i] = arguments_[i].data();
+        for (std::size_t i = 0; i < arguments_.size(); ++i)
+            argument_pointers_[i] = arguments_[i].data();
         argument_list_ = argument_pointers_.data();
         foam_ = std::make_unique<FoamCase>(argument_count_, argument_list_);
         Settings settings;
@@ -110,7 +112,8 @@ public:
     Scalars sampled(const ScalarField& field) const
     {
         Scalars values;
-        for (const Vector& x : gas_->mesh().centre) values.push_back(field(x));
+        for (const Vector& x : gas_->mesh().centre)
+            values.push_back(field(x));
         return values;
     }
     Scalars sampled(const VectorField& field) const
@@ -145,7 +148,8 @@ private:
     void write_case() const
     {
         namespace fs = std::filesystem;
-        for (const char* part : {"0", "constant", "system"}) fs::create_directories(fs::path(folder_) / part);
+        for (const char* part : {"0", "constant", "system"})
+            fs::create_directories(fs::path(folder_) / part);
         write("system/controlDict", "dictionary",
               "application interphase; startFrom startTime; startTime 0; stopAt endTime; endTime 1e9; deltaT " +
                   number(scene_.gas_step) +
@@ -159,9 +163,11 @@ private:
         const std::string tolerance = number(scene_.pressure_tolerance);
         write("system/fvSolution", "dictionary",
               "solvers { \"p_rgh.*\" { solver PCG; preconditioner DIC; tolerance " + tolerance +
-                  "; relTol 0; minIter 1; } \"U.*\" { solver smoothSolver; smoother symGaussSeidel; tolerance 1e-14; relTol 0; } }\n"
-                  "PIMPLE { nOuterCorrectors " + std::to_string(scene_.outer_correctors) + "; nCorrectors " +
-                  std::to_string(scene_.correctors) + "; p_rghRefCell 0; p_rghRefValue 0; }");
+                  "; relTol 0; minIter 1; } \"U.*\" { solver smoothSolver; smoother symGaussSeidel; tolerance 1e-14; "
+                  "relTol 0; } }\n"
+                  "PIMPLE { nOuterCorrectors " +
+                  std::to_string(scene_.outer_correctors) + "; nCorrectors " + std::to_string(scene_.correctors) +
+                  "; p_rghRefCell 0; p_rghRefValue 0; }");
         write("constant/transportProperties", "dictionary",
               "rho " + number(scene_.density) + "; mu " + number(scene_.viscosity) + ";");
         write("constant/g", "uniformDimensionedVectorField", "dimensions [0 1 -2 0 0 0 0]; value (0 0 0);");
@@ -170,7 +176,8 @@ private:
               "dimensions [0 1 -1 0 0 0 0]; internalField nonuniform List<vector> " + initial_velocity() +
                   "; boundaryField { " + conditions(&Sides::velocity) + "}");
         write("0/p_rgh", "volScalarField",
-              "dimensions [1 -1 -2 0 0 0 0]; internalField uniform 0; boundaryField { " + conditions(&Sides::pressure) + "}");
+              "dimensions [1 -1 -2 0 0 0 0]; internalField uniform 0; boundaryField { " + conditions(&Sides::pressure) +
+                  "}");
     }
 
     void write(const std::string& file, const std::string& type, const std::string& content) const
@@ -207,7 +214,10 @@ private:
         return list + ")";
     }
 
-    static std::string side_name(int axis, int side) { return std::string("xyz").substr(axis, 1) + (side ? "High" : "Low"); }
+    static std::string side_name(int axis, int side)
+    {
+        return std::string("xyz").substr(axis, 1) + (side ? "High" : "Low");
+    }
 
     std::string conditions(std::array<std::string, 2> Sides::*which) const
     {
@@ -215,17 +225,19 @@ private:
         for (int axis = 0; axis < 3; ++axis)
             for (int side = 0; side < 2; ++side) {
                 const std::string& own = (scene_.sides[axis].*which)[side];
-                text += side_name(axis, side) + " { " + (own.empty() ? "type " + scene_.sides[axis].type + ";" : own) + " } ";
+                text += side_name(axis, side) + " { " + (own.empty() ? "type " + scene_.sides[axis].type + ";" : own) +
+                        " } ";
             }
         return text;
     }
 
     std::string mesh_description() const
     {
-        static const char* const faces[3][2] = {{"(0 4 7 3)", "(1 2 6 5)"}, {"(0 1 5 4)", "(3 7 6 2)"}, {"(0 3 2 1)", "(4 5 6 7)"}};
+        static const char* const faces[3][2] = {
+            {"(0 4 7 3)", "(1 2 6 5)"}, {"(0 1 5 4)", "(3 7 6 2)"}, {"(0 3 2 1)", "(4 5 6 7)"}};
         std::string text = "scale 1; vertices (";
-        for (const Vector& corner : {Vector(0, 0, 0), Vector(1, 0, 0), Vector(1, 1, 0), Vector(0, 1, 0), Vector(0, 0, 1),
-                                     Vector(1, 0, 1), Vector(1, 1, 1), Vector(0, 1, 1)})
+        for (const Vector& corner : {Vector(0, 0, 0), Vector(1, 0, 0), Vector(1, 1, 0), Vector(0, 1, 0),
+                                     Vector(0, 0, 1), Vector(1, 0, 1), Vector(1, 1, 1), Vector(0, 1, 1)})
             text += number(Vector(corner.cwiseProduct(scene_.size)));
         text += "); edges (); blocks ( hex (0 1 2 3 4 5 6 7) (" + std::to_string(scene_.cells[0]) + " " +
                 std::to_string(scene_.cells[1]) + " " + std::to_string(scene_.cells[2]) +
@@ -254,7 +266,8 @@ private:
 inline std::vector<double> observed_orders(const std::vector<double>& errors)
 {
     std::vector<double> orders;
-    for (std::size_t i = 1; i < errors.size(); ++i) orders.push_back(std::log2(errors[i - 1] / errors[i]));
+    for (std::size_t i = 1; i < errors.size(); ++i)
+        orders.push_back(std::log2(errors[i - 1] / errors[i]));
     return orders;
 }
 

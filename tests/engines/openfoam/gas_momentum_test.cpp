@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Proves that the gas keeps its momentum: in a periodic box with non-uniform voidage, the momentum it loses is the impulse
-// of exchange and pressure gradient that the solids are given, up to what the pressure correction leaves. What that is:
-// off-diagonal momentum terms of the corrector before, which fall with every corrector; the flux of the step before in the
-// convection, which an outer corrector renews (it matters only where the voidage changes); the tolerance of the pressure.
+// Proves that the gas keeps its momentum: in a periodic box with non-uniform voidage, the momentum it loses is the
+// impulse of exchange and pressure gradient that the solids are given, up to what the pressure correction leaves. What
+// that is: off-diagonal momentum terms of the corrector before, which fall with every corrector; the flux of the step
+// before in the convection, which an outer corrector renews (it matters only where the voidage changes); the tolerance
+// of the pressure.
 #include "engines/openfoam/gas_case.hpp"
 
 namespace interphase::testing_gas {
@@ -49,9 +50,8 @@ double residual(const Solution& by)
         return sum;
     };
     const Scalars rate = gas.sampled([](const Vector& x) { return 20 * (1 - voidage(x, 0)); });
-    const Scalars source = gas.sampled(VectorField([](const Vector& x) {
-        return Vector(20 * (1 - voidage(x, 0)) * Vector(0.2 * std::sin(k * x.y()), -0.4, 0));
-    }));
+    const Scalars source = gas.sampled(VectorField(
+        [](const Vector& x) { return Vector(20 * (1 - voidage(x, 0)) * Vector(0.2 * std::sin(k * x.y()), -0.4, 0)); }));
     Scalars eps = eps_at(0);
     gas.step(eps, rate, source);
 

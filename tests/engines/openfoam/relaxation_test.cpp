@@ -29,9 +29,11 @@ double difference(const Scene& scene, int steps, double drag, const Vector& expe
     GasCase gas(scene);
     const Scalars drag_rate(gas.cells(), drag);
     const Scalars source = gas.sampled(VectorField([drag](const Vector&) { return Vector(drag * of_solids); }));
-    for (int n = 0; n < steps; ++n) gas.step(Scalars(gas.cells(), voidage), drag_rate, source);
+    for (int n = 0; n < steps; ++n)
+        gas.step(Scalars(gas.cells(), voidage), drag_rate, source);
     double worst = 0;
-    for (std::size_t c = 0; c < gas.cells(); ++c) worst = std::max(worst, (gas.velocity(c) - expected).norm());
+    for (std::size_t c = 0; c < gas.cells(); ++c)
+        worst = std::max(worst, (gas.velocity(c) - expected).norm());
     return worst;
 }
 
@@ -48,7 +50,8 @@ std::vector<double> errors(const std::string& time_scheme)
 TEST(Relaxation, IsFirstOrderWithEuler)
 {
     // Euler's own remainder at these steps: x/2 (1 + 5x/6 ...), x = 0.1, 0.05, 0.025; 5 % of the order
-    for (const double order : observed_orders(errors("Euler"))) EXPECT_NEAR(order, 1, 0.1);
+    for (const double order : observed_orders(errors("Euler")))
+        EXPECT_NEAR(order, 1, 0.1);
 }
 
 TEST(Relaxation, IsEulersRuleToRoundOff)
@@ -63,7 +66,8 @@ TEST(Relaxation, IsEulersRuleToRoundOff)
 TEST(Relaxation, IsSecondOrderWithBackward)
 {
     // the first step, where there is only one old field, is Euler's: its error is of second order too, once
-    for (const double order : observed_orders(errors("backward"))) EXPECT_NEAR(order, 2, 0.2);
+    for (const double order : observed_orders(errors("backward")))
+        EXPECT_NEAR(order, 2, 0.2);
 }
 
 TEST(Relaxation, DoesNotOvershootHoweverStiffTheDrag)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Proves second order in the mesh (at a fixed Courant number, with the second-order time scheme) of two-dimensional, unsteady,
-// viscous flow at a voidage of 0.6: Taylor and Green's vortices decay by exp(-(2 nu k^2 + K/(rho eps)) t), K the drag to
-// resting solids. Taylor and Green, Proc. R. Soc. Lond. A 158 (1937) 499; uniform drag damps every velocity alike.
+// Proves second order in the mesh (at a fixed Courant number, with the second-order time scheme) of two-dimensional,
+// unsteady, viscous flow at a voidage of 0.6: Taylor and Green's vortices decay by exp(-(2 nu k^2 + K/(rho eps)) t), K
+// the drag to resting solids. Taylor and Green, Proc. R. Soc. Lond. A 158 (1937) 499; uniform drag damps every velocity
+// alike.
 #include "engines/openfoam/gas_case.hpp"
 
 namespace interphase::testing_gas {
@@ -33,7 +34,8 @@ double error(int cells, double drag)
 
     GasCase gas(scene);
     const Scalars eps(gas.cells(), voidage), rate(gas.cells(), drag), no_source(3 * gas.cells(), 0.0);
-    for (int n = 0; n < steps; ++n) gas.step(eps, rate, no_source);
+    for (int n = 0; n < steps; ++n)
+        gas.step(eps, rate, no_source);
 
     const double decay = std::exp(-(2 * viscosity / density * k * k + drag / (density * voidage)) * duration);
     const Scalars found = gas.velocities(), shape = gas.sampled(VectorField(vortices));
@@ -49,7 +51,8 @@ void expect_second_order(double drag)
 {
     const std::vector<double> errors{error(16, drag), error(32, drag), error(64, drag)};
     // 1.8 and 1.95 are seen: at 16 cells a wave the fourth-order terms still show
-    for (const double order : observed_orders(errors)) EXPECT_NEAR(order, 2, 0.25);
+    for (const double order : observed_orders(errors))
+        EXPECT_NEAR(order, 2, 0.25);
     EXPECT_LT(errors.back(), 1e-3);
 }
 

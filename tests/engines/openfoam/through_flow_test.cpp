@@ -18,7 +18,8 @@ double viscous_stress(double x) { return 4.0 / 3.0 * viscosity * voidage(x) * sl
 
 double pressure_slope(double x)
 {
-    return -density * velocity(x) * slope(velocity, x) - (drag(x) * velocity(x) - slope(viscous_stress, x)) / voidage(x);
+    return -density * velocity(x) * slope(velocity, x) -
+           (drag(x) * velocity(x) - slope(viscous_stress, x)) / voidage(x);
 }
 
 /// By Simpson's rule from the outlet, where it is 0.
@@ -52,7 +53,8 @@ Errors errors(int cells)
     const Scalars eps = gas.sampled([](const Vector& x) { return voidage(x.x()); });
     const Scalars rate = gas.sampled([](const Vector& x) { return drag(x.x()); });
     const Scalars no_source(3 * gas.cells(), 0.0);
-    for (int n = 0; n < 1200; ++n) gas.step(eps, rate, no_source);  // the gas passes four times
+    for (int n = 0; n < 1200; ++n)
+        gas.step(eps, rate, no_source);  // the gas passes four times
 
     Errors found;
     int count = 0;
@@ -74,10 +76,13 @@ TEST(ThroughFlow, IsSecondOrderInTheMesh)
         of_velocity.push_back(e.velocity);
         of_pressure.push_back(e.pressure);
     }
-    // At least: 2.3 and 1.9 are seen for the pressure. The velocity of the cells gains more than second order (2.5, 3.2):
-    // its flux is exact in one dimension, and what is left, the cells' difference from it, is of fourth order on coarse meshes.
-    for (const double order : observed_orders(of_velocity)) EXPECT_GT(order, 1.85);
-    for (const double order : observed_orders(of_pressure)) EXPECT_GT(order, 1.85);
+    // At least: 2.3 and 1.9 are seen for the pressure. The velocity of the cells gains more than second order
+    // (2.5, 3.2): its flux is exact in one dimension, and what is left, the cells' difference from it, is of fourth
+    // order on coarse meshes.
+    for (const double order : observed_orders(of_velocity))
+        EXPECT_GT(order, 1.85);
+    for (const double order : observed_orders(of_pressure))
+        EXPECT_GT(order, 1.85);
     EXPECT_LT(of_velocity.back(), 1e-4);
     EXPECT_LT(of_pressure.back(), 2e-5);
 }
