@@ -211,6 +211,16 @@ class Scene(SpoiledCase):
         self.refused(self.with_edit(COUPLING, r"^\s*friction\s+\$friction;$", ""), "LIGGGHTS stopped",
                      r"ERROR.*variable", r"friction")  # fmt: skip
 
+    def test_error_on_one_rank(self):
+        """All parcels are on the second rank, and LIGGGHTS's neighbour lists overflow there: its words come from there."""
+
+        def spoil(folder):
+            self.edit(folder, SCRIPT, r"^fix gravity",
+                      "region left block -1 0.13 -1 1 -1 2 units box\ndelete_atoms region left compress no\n"
+                      "neigh_modify one 2 page 20\nfix gravity")  # fmt: skip
+
+        self.refused(spoil, "LIGGGHTS stopped", r"ERROR on proc 1: Neighbor list overflow", "neigh_modify one", ranks=(2,))
+
     def test_missing_script(self):
         self.refused(lambda folder: os.remove(os.path.join(folder, SCRIPT)), "no LIGGGHTS script `dem/in.liggghts`",
                      r"couplingDict\.particles, line \d+")  # fmt: skip

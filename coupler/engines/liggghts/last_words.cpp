@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <deque>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <thread>
 
@@ -17,22 +18,47 @@ namespace {
 
 bool listening = false;
 bool speaking = false;
+std::string own_words;  // the end of what LIGGGHTS said on this rank, where it is not the one with the log
+
+constexpr std::size_t most_own_words = 600;
+
+ssize_t keep_the_end(void*, const char* text, std::size_t size)
+{
+    own_words.append(text, size);
+    if (own_words.size() > most_own_words) own_words.erase(0, own_words.size() - most_own_words);
+    return static_cast<ssize_t>(size);
+}
+
+std::deque<std::string> last_lines(std::istream& words)
+{
+    constexpr std::size_t count = 6;
+    std::deque<std::string> last;
+    for (std::string line; std::getline(words, line);) {
+        if (line.empty()) continue;
+        last.push_back(line);
+        if (last.size() > count) last.pop_front();
+    }
+    return last;
+}
 
 void show()
 {
     listening = speaking = false;
     std::fflush(nullptr);  // of LIGGGHTS's own stream above all
     std::ifstream log(LastWords::log_name);
-    std::deque<std::string> last;
-    for (std::string line; std::getline(log, line);) {
-        if (line.empty()) continue;
-        last.push_back(line);
-        if (last.size() > 6) last.pop_front();
-    }
-    std::fprintf(stderr, "\ninterphase: error: LIGGGHTS stopped. The end of %s:\n", LastWords::log_name);
-    for (const auto& line : last)
+    std::istringstream own(own_words);
+    const bool from_log = own_words.empty();
+    if (from_log)
+        std::fprintf(stderr, "\ninterphase: error: LIGGGHTS stopped. The end of %s:\n", LastWords::log_name);
+    else
+        std::fprintf(stderr, "\ninterphase: error: LIGGGHTS stopped, on one rank only. Its last words there:\n");
+    for (const auto& line : last_lines(from_log ? static_cast<std::istream&>(log) : own))
         std::fprintf(stderr, "  | %s\n", line.c_str());
-    std::fprintf(stderr, "  remedy: the line before ERROR is the command of the script that it refers to\n");
+    if (from_log)
+        std::fprintf(stderr, "  remedy: the line before ERROR is the command of the script that it refers to\n");
+    else
+        std::fprintf(stderr, "  remedy: correct the script accordingly; the commands so far stand in %s\n",
+                     LastWords::log_name);
 }
 
 void show_at_exit()
@@ -48,6 +74,13 @@ LastWords::LastWords(bool speaks)
     static_cast<void>(registered);
     listening = true;
     speaking = speaks;
+}
+
+std::FILE* LastWords::of_rank_without_log()
+{
+    std::FILE* stream = fopencookie(nullptr, "w", {nullptr, keep_the_end, nullptr, nullptr});
+    if (stream) std::setvbuf(stream, nullptr, _IOLBF, BUFSIZ);
+    return stream;
 }
 
 LastWords::~LastWords() { listening = speaking = false; }

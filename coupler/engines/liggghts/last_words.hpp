@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdio>
+
 namespace interphase {
 
 /// LIGGGHTS ends the process on an error, with its words in its log only. While one of these lives, such an end shows
@@ -10,6 +12,11 @@ public:
     static constexpr const char* log_name = "dem/log.liggghts";
 
     explicit LastWords(bool speaks);
+
+    /// A stream for LIGGGHTS's `screen` on a rank that has no log: only its end is kept, to be shown if LIGGGHTS aborts
+    /// there.
+    static std::FILE* of_rank_without_log();
+
     ~LastWords();
     LastWords(const LastWords&) = delete;
     LastWords& operator=(const LastWords&) = delete;

@@ -48,6 +48,7 @@ LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& setting
     void* handle = nullptr;
     lammps_open(static_cast<int>(argv.size()), argv.data(), comm_.handle(), &handle);
     lmp_ = static_cast<LAMMPS_NS::LAMMPS*>(handle);
+    if (!lmp_->screen) lmp_->screen = LastWords::of_rank_without_log();
     lammps_file(lmp_, settings.script.c_str());
 
     refuse_unusable_scene();
