@@ -55,7 +55,10 @@ print("FOUND " + json.dumps(found))
 
 class OpenedInParaView(support.ProgramTest):
     def opened(self, ranks):
-        folder = self.prepared("sscp1", ranks=ranks, until=0.02, **{"system/controlDict:writeInterval": 0.01})
+        folder = self.prepared(
+            "sscp1", ranks=ranks, until=0.02,
+            **{"system/controlDict:writeInterval": 0.01, "system/couplingDict:records/snapshotInterval": 0.01},
+        )  # fmt: skip
         done = self.run_case(folder, ranks)
         support.write(done.path("case.foam"), "")
         picture = done.path("paraview.png")

@@ -42,7 +42,7 @@ class RoundOffGrowth(support.ProgramTest):
             **{"system/fvSolution:solvers/p_rgh/tolerance": 1e-13, "system/fvSolution:solvers/p_rgh/relTol": 0,
                'system/fvSolution:solvers/"(U|UFinal)"/tolerance': 1e-13},
         )  # fmt: skip
-        self.edit(folder, "system/couplingDict", r"^records\s*\{", "records\n{\n    snapshotInterval 0.01;")
+        self.set_entry(folder, "system/couplingDict", "records/snapshotInterval", 0.01)
         return folder
 
     def perturbed(self, number):
