@@ -54,8 +54,8 @@ class Run:
             raise InputError(f"{self._meta}: /meta attribute solid_step = {value!r}; a time in s above 0 is expected")
         return step
 
-    def frames(self):
-        """`Frame`s in the order of time."""
+    def frames(self, only=None):
+        """`Frame`s in the order of time; `only`: the data sets to load, all where None."""
         if self.particles is None:
             return
         with open_h5(self.particles) as file:
@@ -75,10 +75,10 @@ class Run:
                     raise InputError(f"{self.particles}: snapshots {name} and {other} both are of time {later!r} s")
             for time, name in times:
                 where = f"{self.particles}:/snapshots/{name} (t = {time:.9g} s)"
-                yield Frame(where, None, time, lambda group=group[name], where=where: self._particles(group, where))
+                yield Frame(where, None, time, lambda group=group[name], where=where: self._particles(group, where, only))
 
     @staticmethod
-    def _particles(group, where):
+    def _particles(group, where, only=None):
         def refuse(message):
             raise InputError(message)
 
@@ -88,6 +88,8 @@ class Run:
         quantities = {}
         for name, dataset in group.items():
             if name == "id" or not isinstance(dataset, h5py.Dataset) or dataset.dtype.kind not in "fiu":
+                continue
+            if only is not None and name not in only:
                 continue
             shape = (len(ids), 3) if name in DATASETS else (len(ids),)
             if dataset.shape[:1] != shape[:1] or (name in DATASETS and dataset.shape != shape):

@@ -11,6 +11,7 @@ automatic block averaging (Flyvbjerg and Petersen, J. Chem. Phys. 91 (1989) 461,
 windowed sums of the autocorrelation function can turn negative on the damped oscillations of a slugging bed.
 """
 
+import dataclasses
 import math
 from dataclasses import dataclass
 
@@ -142,6 +143,50 @@ def mean_with_error(series):
     if freedom < MINIMUM_FREEDOM or effective < 2 * MINIMUM_FREEDOM:
         reason = f"worth {effective:.2g} independent samples only: it drifts, or is too short for its slow motion"
     return Mean(value, error, deviation, count, effective, freedom, count / effective / 2, reason)
+
+
+def ratio_with_error(above, below):
+    """`Mean` of sum(above) / sum(below), two series [n] of one time, such as summed velocity over number.
+
+    The error is that of the mean of (above - ratio below) / mean(below), the ratio to first order in its
+    deviations (W. G. Cochran, Sampling Techniques, 1977, sec. 2.11), its autocorrelation taken in. sum(below) = 0: ValueError.
+    """
+    above, below = numpy.asarray(above, dtype=float), numpy.asarray(below, dtype=float)
+    if not below.sum():
+        raise ValueError("ratio_with_error: the lower series is nothing but zeros")
+    ratio = float(above.sum() / below.sum())
+    residual = above - ratio * below
+    # What is round-off of the numerator alone is none of the ratio.
+    residual[numpy.abs(residual) <= 1e-13 * numpy.abs(above).max(initial=0.0)] = 0.0
+    return dataclasses.replace(mean_with_error(residual / below.mean()), value=ratio)
+
+
+def quantile_with_error(counts, edges, level):
+    """`Mean` of the quantile `level` (0 to 1) of all values of a series of histograms, counts [n, bins].
+
+    Linear within a bin, so no finer than the bins. The error is half of what lies between the quantiles at level -
+    error and level + error, the error being that of the share below the quantile (R. S. Woodruff, J. Am. Stat. Assoc.
+    47 (1952) 635). No values at all: ValueError.
+    """
+    counts, edges = numpy.asarray(counts, dtype=float), numpy.asarray(edges, dtype=float)
+    cumulative = numpy.concatenate([[0.0], counts.sum(axis=0).cumsum()])
+    if not cumulative[-1]:
+        raise ValueError("quantile_with_error: the histograms hold nothing")
+
+    def quantile(share):
+        share = min(max(share, 0.0), 1.0) * cumulative[-1]
+        at = max(int(numpy.searchsorted(cumulative, share, side="left")), 1)
+        part = (share - cumulative[at - 1]) / (cumulative[at] - cumulative[at - 1])
+        return float(edges[at - 1] + part * (edges[at] - edges[at - 1]))
+
+    value = quantile(level)
+    at = min(max(int(numpy.searchsorted(edges, value, side="left")), 1), len(edges) - 1)
+    part = (value - edges[at - 1]) / (edges[at] - edges[at - 1])
+    share = ratio_with_error(counts[:, :at - 1].sum(axis=1) + part * counts[:, at - 1], counts.sum(axis=1))
+    if math.isnan(share.error):
+        return dataclasses.replace(share, value=value)
+    error = (quantile(level + share.error) - quantile(level - share.error)) / 2
+    return dataclasses.replace(share, value=value, error=error)
 
 
 def difference(a, b):

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The figure of tools/report: one panel per distribution or profile, one colour per run."""
+
+import math
+
+import matplotlib
+import numpy
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402  (the back end is chosen first)
+
+COLOURS = ("#1b6ca8", "#d1495b", "#2e933c", "#8a5aab", "#c98a12", "#3a3a3a", "#17a2a2", "#9c5238")
+MARKERS = "osD^vPX*"
+INK = "0.2"
+
+
+def draw(path, names, reports, depth, scene):
+    """`names`: one per report. Panels that no run has anything for are left out."""
+    panels = [(has, make) for has, make in (
+        (any(r.windows is not None for r in reports), lambda axes: _velocity(axes, names, reports, depth, "vertical", scene)),
+        (any(r.windows is not None for r in reports), lambda axes: _velocity(axes, names, reports, depth, "horizontal", scene)),
+        (any(r.windows is not None for r in reports), lambda axes: _temperature(axes, reports, depth)),
+        (any(r.overlap is not None for r in reports), lambda axes: _overlap(axes, reports)),
+        (any(r.voidage is not None for r in reports), lambda axes: _voidage(axes, reports)),
+        (any(r.pressure is not None for r in reports), lambda axes: _pressure(axes, reports)),
+    ) if has]
+    plt.rcParams.update({"font.size": 8, "axes.edgecolor": INK, "axes.linewidth": 0.8, "axes.labelcolor": INK,
+                         "xtick.color": INK, "ytick.color": INK, "text.color": INK})
+    columns = min(len(panels), 3) or 1
+    lines = math.ceil(len(panels) / columns) or 1
+    figure, all_axes = plt.subplots(lines, columns, figsize=(3.5 * columns, 2.9 * lines + 0.5), squeeze=False)
+    for axes, (_, make) in zip(all_axes.flat, panels):
+        make(axes)
+        for side in ("top", "right"):
+            axes.spines[side].set_visible(False)
+    for axes in all_axes.flat[len(panels):]:
+        axes.set_visible(False)
+    handles = [matplotlib.lines.Line2D([], [], **_style(at), marker=_marker(at), markersize=4) for at in range(len(names))]
+    figure.legend(handles, names, loc="upper left", ncol=min(len(names), 4), frameon=False, fontsize=9)
+    figure.tight_layout(rect=(0, 0, 1, 1 - 0.35 / (2.9 * lines + 0.5) * math.ceil(len(names) / 4)))
+    figure.savefig(path, dpi=160)
+    plt.close(figure)
+
+
+def _style(at):
+    return {"color": COLOURS[at % len(COLOURS)], "linewidth": 1.3}
+
+
+def _marker(at):
+    return MARKERS[at % len(MARKERS)]
+
+
+def _profile(axes, reports, means_of):
+    """Mean and standard error over the windows; what no error is known of has no bar."""
+    drawn = 0
+    for at, report in enumerate(reports):
+        if report.windows is None:
+            continue
+        means = means_of(report)
+        drawn += any(mean is not None for mean in means)
+        values = [math.nan if mean is None else mean.value for mean in means]
+        errors = [0.0 if mean is None or math.isnan(mean.error) else mean.error for mean in means]
+        axes.errorbar(report.windows, values, errors, marker=_marker(at), markersize=4, capsize=2, **_style(at))
+    if not drawn:
+        axes.text(0.5, 0.5, "no sphere's centre lies here", ha="center", transform=axes.transAxes)
+    axes.set_xlabel("x [m]")
+
+
+def _velocity(axes, names, reports, depth, component, scene):
+    _profile(axes, reports, lambda report: report.profiles[depth].velocity[component])
+    axes.axhline(0, color="0.75", linewidth=0.8, zorder=0)
+    axes.set_ylabel(f"{component} velocity [m/s]")
+    axes.set_title(f"z = {scene.windows.centre:g} m, {depth.replace('_', ' ')}", fontsize=8)
+
+
+def _temperature(axes, reports, depth):
+    _profile(axes, reports, lambda report: report.profiles[depth].temperature)
+    axes.set_ylim(bottom=0)
+    axes.set_ylabel("granular temperature [m²/s²]")
+
+
+def _overlap(axes, reports):
+    for at, report in enumerate(reports):
+        if report.overlap is not None:
+            cumulative = numpy.concatenate([[0.0], report.overlap.share.cumsum()])
+            axes.plot(100 * report.overlap.edges, 100 * cumulative, **_style(at))
+    axes.set_xscale("log")
+    low = min(_first_percent(report.overlap) for report in reports if report.overlap is not None)
+    axes.set_xlim(left=100 * low)
+    axes.set(ylim=(0, 101), xlabel="overlap [% of d]", ylabel="overlaps below [%]")
+
+
+def _first_percent(histogram):
+    """The overlap below which 0.2 % lie: lower ones would stretch the axis."""
+    return histogram.edges[int(numpy.searchsorted(histogram.share.cumsum(), 0.002))]
+
+
+def _voidage(axes, reports):
+    top = 0.0
+    for at, report in enumerate(reports):
+        if report.voidage is None:
+            continue
+        share = 100 * report.voidage.share
+        axes.stairs(share, report.voidage.edges, **_style(at))
+        # The freeboard's peak at 1 is cut.
+        dense = share[report.voidage.edges[1:] < 0.95]
+        top = max(top, dense.max(initial=0.0))
+    axes.set_ylim(0, 1.25 * top or None)
+    axes.set(xlabel="voidage", ylabel="cells [%]")
+    axes.set_title("the empty vessel's peak at 1 is cut off", fontsize=7, color="0.45")
+
+
+def _pressure(axes, reports):
+    """Spectra where all records are long enough, else the series."""
+    some = [(at, report) for at, report in enumerate(reports) if report.pressure is not None]
+    if all(report.spectrum is not None for _, report in some):
+        for at, report in some:
+            axes.semilogy(report.spectrum[0], report.spectrum[1], **_style(at))
+        axes.set(xlabel="frequency [Hz]", ylabel="pressure drop, power [Pa²/Hz]")
+        return
+    for at, report in some:
+        axes.plot(report.pressure[0], report.pressure[1] / 1000, **_style(at))
+    axes.set(xlabel="t [s]", ylabel="pressure drop [kPa]")

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Write a run's statistics into its results.h5, below /profiles and /histograms; only while no program holds it."""
+
+import fcntl
+import math
+
+import h5py
+import numpy
+
+from lib.input_error import InputError
+
+
+def held_by_another(path):
+    """Whether a program has the HDF5 file at `path` open for writing: HDF5 locks it as long as the run lasts."""
+    with open(path, "rb") as file:
+        try:
+            fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
+        except BlockingIOError:
+            return True
+        except OSError:  # a file system without locks: HDF5 then has none, either
+            return False
+    return False
+
+
+def check_writable(run):
+    """InputError unless the results.h5 of a `Run` can be written to."""
+    if run.results is None:
+        raise InputError(
+            f"{run.path}: there is no results.h5 to write to; --no-write reports without writing"
+        )
+    if held_by_another(run.results):
+        raise InputError(
+            f"{run.results}: the run is still going: nothing is written into its file; wait for its end, or look at what is "
+            "there by --no-write"
+        )
+    _open(run.results).close()
+
+
+def _open(path):
+    try:
+        return h5py.File(path, "r+")
+    except OSError as error:
+        raise InputError(
+            f"{path}: cannot be opened for writing: {error}; was the run killed, or may you not write there? --no-write "
+            "leaves it alone"
+        ) from None
+
+
+def write(run, scene, report):
+    """Add or replace the groups of this report; everything else in the file stays."""
+    with _open(run.results) as file:
+        profiles, histograms = file.require_group("profiles"), file.require_group("histograms")
+        for group in (profiles, histograms):
+            group.attrs["from"], group.attrs["until"], group.attrs["snapshots"] = report.first, report.last, report.snapshots
+        _fresh(profiles, "front_slice", "full_depth", "window_centre", "pressure_spectrum", "means")
+        _fresh(histograms, "overlap", "voidage")
+        if report.windows is not None:
+            _data(profiles, "window_centre", report.windows, "m")
+            for depth, profile in report.profiles.items():
+                _profile(profiles.create_group(depth), profile)
+        if report.series:
+            group = profiles.create_group("means")
+            for quantity in report.series:
+                name = quantity.name.replace(",", "").replace(" ", "_")
+                _data(group, name, quantity.mean.value, quantity.unit).attrs["error"] = quantity.mean.error
+        if report.spectrum is not None:
+            group = profiles.create_group("pressure_spectrum")
+            _data(group, "frequency", report.spectrum[0], "Hz")
+            _data(group, "power_density", report.spectrum[1], "Pa2/Hz")
+        if scene.overlaps:
+            _overlaps(histograms.create_group("overlap"), scene.overlaps, report)
+        if scene.voidage:
+            group = histograms.create_group("voidage")
+            _histogram(group, report.voidage)
+            _data(group, "limits", scene.voidage.limits, "1")
+            _means(group, "share_between_limits", [quantity.mean for quantity in report.voidages], "1")
+
+
+def _fresh(group, *names):
+    for name in names:
+        if name in group:
+            del group[name]
+
+
+def _data(group, name, values, unit):
+    group[name] = numpy.asarray(values, dtype=float)
+    group[name].attrs["unit"] = unit
+    return group[name]
+
+
+def _means(group, name, means, unit):
+    """Values and, under the name with `_error`, their standard errors; NaN: there is none."""
+    _data(group, name, [math.nan if mean is None else mean.value for mean in means], unit)
+    _data(group, f"{name}_error", [math.nan if mean is None else mean.error for mean in means], unit)
+
+
+def _profile(group, profile):
+    _means(group, "number", profile.number, "1")
+    for component, means in profile.velocity.items():
+        _means(group, f"{component}_velocity", means, "m/s")
+    _means(group, "granular_temperature", profile.temperature, "m2/s2")
+    for component, means in profile.temperature_of.items():
+        _means(group, f"granular_temperature_{component}", means, "m2/s2")
+
+
+def _histogram(group, histogram):
+    _data(group, "edges", histogram.edges, "1")
+    _data(group, "share", histogram.share, "1")
+    if not numpy.isnan(histogram.error).all():
+        _data(group, "share_error", histogram.error, "1")
+    group.attrs["share_below_edges"], group.attrs["share_above_edges"] = histogram.below, histogram.above
+
+
+def _overlaps(group, wanted, report):
+    means = [quantity.mean for quantity in report.overlaps]
+    shares, percentiles, pairs = means[:len(wanted.shares)], means[len(wanted.shares):-1], means[-1:]
+    group.attrs["normalised_by"] = "diameter of the smaller sphere of a pair"
+    if report.overlap is not None:
+        _histogram(group, report.overlap)
+        _data(group, "cumulative", report.overlap.share.cumsum(), "1")
+    _data(group, "limits", wanted.shares, "1")
+    _means(group, "share_below_limits", shares, "1")
+    _data(group, "percentile_levels", wanted.percentiles, "%")
+    _means(group, "percentiles", percentiles, "1")
+    _means(group, "pairs_per_sphere", pairs, "1")
+    _data(group, "largest", report.largest_overlap, "1")
