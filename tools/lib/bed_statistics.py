@@ -66,7 +66,7 @@ def overlap_counts(values):
 
 
 @functools.lru_cache(maxsize=None)
-def ball_points(count=SPLIT):
+def ball_points(count):
     """Points [count, 3] of equal weight that stand for a ball of radius 1.
 
     A golden spiral over shells of equal volume, each point with its antipode: the centre of mass is exact; the second
@@ -84,10 +84,10 @@ def ball_points(count=SPLIT):
     return points @ (axes / numpy.sqrt(5 * values)) @ axes.T
 
 
-def solid_fraction(position, diameter, mesh):
+def solid_fraction(position, diameter, mesh, points=SPLIT):
     """(solid fraction of each cell [nx, ny, nz], spheres left out) on a `BoxMesh`.
 
-    A sphere's volume goes to the cells in which it lies: whole where it crosses no face of a cell, else by SPLIT points of
+    A sphere's volume goes to the cells in which it lies: whole where it crosses no face of a cell, else by `points` of
     equal weight in it. Points beyond the mesh's end, of a sphere that presses into a wall, count in the cell at the
     wall, so that solid volume is conserved. Spheres with their centre outside the mesh are left out and counted.
     """
@@ -103,10 +103,11 @@ def solid_fraction(position, diameter, mesh):
 
     first = numpy.clip(numpy.floor(place - reach).astype(numpy.int64), 0, last)
     whole = (first == numpy.clip(numpy.floor(place + reach).astype(numpy.int64), 0, last)).all(axis=1)
-    solid = numpy.bincount(first[whole] @ stride, volume[whole], minlength=count)
+    solid = numpy.zeros(count)
+    solid += numpy.bincount(first[whole] @ stride, volume[whole], minlength=count)
     split = ~whole
-    place, reach, share = place[split], reach[split], volume[split] / SPLIT
-    for point in ball_points():
+    place, reach, share = place[split], reach[split], volume[split] / points
+    for point in ball_points(points):
         cell = numpy.clip(numpy.floor(place + reach * point).astype(numpy.int64), 0, last)
         solid += numpy.bincount(cell @ stride, share, minlength=count)
     return (solid / mesh.cell_volume).reshape(mesh.cells), int((~inside).sum())

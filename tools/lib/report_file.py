@@ -1,37 +1,61 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Write a run's statistics into its results.h5, below /profiles and /histograms; only while no program holds it."""
+"""Write a run's statistics into its results.h5, below /profiles and /histograms; only where the run has ended."""
 
-import fcntl
+import glob
+import json
 import math
+import os
 
 import h5py
 import numpy
 
 from lib.input_error import InputError
+from lib.run_records import open_h5
 
 
-def held_by_another(path):
-    """Whether a program has the HDF5 file at `path` open for writing: HDF5 locks it as long as the run lasts."""
-    with open(path, "rb") as file:
+def open_elsewhere(path):
+    """Id of another process of this machine that has the file at `path` open, None if none is seen.
+
+    The HDF5 library that goes with MPI takes no lock on its files, so that a lock would not tell.
+    """
+    file = os.stat(path)
+    for descriptor in glob.iglob("/proc/[0-9]*/fd/*"):
+        process = int(descriptor.split("/")[2])
         try:
-            fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
-        except BlockingIOError:
+            other = os.stat(descriptor)
+        except OSError:  # closed in the meantime, or another user's
+            continue
+        if process != os.getpid() and (other.st_dev, other.st_ino) == (file.st_dev, file.st_ino):
+            return process
+    return None
+
+
+def has_ended(run):
+    """Whether a `Run` has recorded its end: wall_time in /meta (the program), or an exit code in run.json (tools/run)."""
+    with open_h5(run.results) as file:
+        if "meta" in file and "wall_time" in file["meta"].attrs:
             return True
-        except OSError:  # a file system without locks: HDF5 then has none, either
-            return False
-    return False
+    try:
+        with open(os.path.join(run.path, "run.json"), encoding="utf-8") as file:
+            return "exit_code" in json.load(file)
+    except (OSError, ValueError, TypeError):
+        return False
 
 
 def check_writable(run):
     """InputError unless the results.h5 of a `Run` can be written to."""
     if run.results is None:
+        raise InputError(f"{run.path}: there is no results.h5 in it to write to; --no-write reports without writing")
+    process = open_elsewhere(run.results)
+    if process is not None:
         raise InputError(
-            f"{run.path}: there is no results.h5 to write to; --no-write reports without writing"
+            f"{run.results}: process {process} has it open: the run is still going, and nothing is written into its file; wait "
+            "for its end, or see what is there so far by --no-write"
         )
-    if held_by_another(run.results):
+    if not has_ended(run):
         raise InputError(
-            f"{run.results}: the run is still going: nothing is written into its file; wait for its end, or look at what is "
-            "there by --no-write"
+            f"{run.results}: the run has not recorded its end: it is still going, or was killed; --no-write reports without "
+            "writing"
         )
     _open(run.results).close()
 
@@ -62,7 +86,8 @@ def write(run, scene, report):
             group = profiles.create_group("means")
             for quantity in report.series:
                 name = quantity.name.replace(",", "").replace(" ", "_")
-                _data(group, name, quantity.mean.value, quantity.unit).attrs["error"] = quantity.mean.error
+                attributes = _data(group, name, quantity.mean.value, quantity.unit).attrs
+                attributes["error"], attributes["trusted"] = quantity.mean.error, int(not quantity.mean.reason)
         if report.spectrum is not None:
             group = profiles.create_group("pressure_spectrum")
             _data(group, "frequency", report.spectrum[0], "Hz")
@@ -89,9 +114,13 @@ def _data(group, name, values, unit):
 
 
 def _means(group, name, means, unit):
-    """Values and, under the name with `_error`, their standard errors; NaN: there is none."""
+    """Values and, under the name with `_error`, their standard errors; NaN: there is none.
+
+    The attribute `trusted` of the errors is 0 where the record is too short, or drifts.
+    """
     _data(group, name, [math.nan if mean is None else mean.value for mean in means], unit)
-    _data(group, f"{name}_error", [math.nan if mean is None else mean.error for mean in means], unit)
+    errors = _data(group, f"{name}_error", [math.nan if mean is None else mean.error for mean in means], unit)
+    errors.attrs["trusted"] = [int(mean is not None and not mean.reason) for mean in means]
 
 
 def _profile(group, profile):

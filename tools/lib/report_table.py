@@ -90,7 +90,7 @@ def text(names, reports, depth, confidence):
     any_of = {key: next(each[key] for each in found if key in each) for key in keys}
     means = [[each[key].mean if key in each else None for key in keys] for each in found]
     # The number of spheres tells real particles from parcels, not agreement.
-    judgeable = [at for at, (heading, _) in enumerate(keys) if heading != "spheres in a window" and heading is not None]
+    judgeable = [at for at, (heading, _) in enumerate(keys) if heading != "spheres in a window"]
     verdicts = dict(zip(judgeable, judged(*_picked(means, judgeable), confidence)))
 
     letters = [chr(ord("A") + at) if at < 26 else str(at + 1) for at in range(len(names))]

@@ -1,0 +1,527 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""tools/report finds the means, granular temperatures, overlaps and voidages that made-up beds were made with.
+
+Scenes are written by hand, so that the answers are known: uniform flow, two temperatures, spheres of known overlap, a
+lattice of known packing, means of correlated series of known error.
+"""
+
+import contextlib
+import importlib.machinery
+import importlib.util
+import io
+import json
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import h5py
+import numpy
+from scipy.signal import lfilter
+
+SOURCE = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..")
+TOOLS = os.path.join(SOURCE, "tools")
+sys.path.insert(0, TOOLS)
+
+from lib import bed_statistics, report_scene, report_table, run_report, statistics  # noqa: E402
+from lib.input_error import InputError  # noqa: E402
+from lib.report_scene import BoxMesh, Overlaps, Scene, Voidage, Windows  # noqa: E402
+
+SCRIPT = os.path.join(TOOLS, "report")
+_loader = importlib.machinery.SourceFileLoader("report_tool", SCRIPT)
+report_tool = importlib.util.module_from_spec(importlib.util.spec_from_loader("report_tool", _loader))
+_loader.exec_module(report_tool)
+
+# A vessel of 0.2 x 0.1 x 0.4 m; windows are 0.1 m wide, z from 0.1 to 0.2 m, the slice 0.01 m deep.
+WINDOWS = Windows(count=2, left=0.0, right=0.2, centre=0.15, height=0.1, front=0.0, front_depth=0.01)
+MESH = BoxMesh((0.0, 0.0, 0.0), (0.2, 0.1, 0.4), (4, 2, 8))
+SIZE = (0.2, 0.1, 0.4)
+
+PARAMETERS = "width 0.2;\ndepth 0.1;\nheight 0.4;\nacross 4;\n"
+
+MESH_DICT = """scale 1;
+vertices ((0 0 0) ($width 0 0) ($width $depth 0) (0 $depth 0) (0 0 $height) ($width 0 $height) ($width $depth $height) (0 $depth $height));
+blocks (hex (0 1 2 3 4 5 6 7) ($across 2 8) simpleGrading (1 1 1));
+"""
+
+REPORT_DICT = """#include "$FOAM_CASE/parameters"
+from 1;
+windows { count 2; left 0; right $width; centre 0.15; height 0.1; frontDepth 0.01; }
+overlaps { shares (0.0025 0.01); percentiles (50 90); }
+voidage { lowest 0.3; highest 1; bins 70; limits (0.5 0.95); }
+"""
+
+
+def scattered(count, seed=1, size=SIZE):
+    return numpy.random.default_rng(seed).uniform(0, 1, (count, 3)) * size
+
+
+def correlated(samples, memory, seed):
+    """An autoregressive series of deviation 1: x_t = memory x_(t-1) + noise."""
+    noise = numpy.random.default_rng(seed).normal(0, math.sqrt(1 - memory**2), samples + 1000)
+    return lfilter([1], [1, -memory], noise)[1000:]
+
+
+class Velocity(unittest.TestCase):
+    def moments(self, position, velocity, front_only=False):
+        return bed_statistics.window_moments(position, velocity, WINDOWS, front_only)
+
+    def test_uniform_flow_has_its_velocity_everywhere_and_no_temperature(self):
+        position = scattered(5000)
+        number, sums, temperatures = self.moments(position, numpy.tile([0.3, 9.0, -0.7], (5000, 1)))
+        numpy.testing.assert_allclose(sums / number[:, None], [[0.3, -0.7]] * 2, rtol=1e-12)
+        numpy.testing.assert_allclose(temperatures, 0, atol=1e-25)
+
+    def test_two_temperatures(self):
+        """Half of each window's spheres move at u + a, half at u - a: Theta is a^2, in x and z apart; y does not count."""
+        position = scattered(4000)
+        left = position[:, 0] < 0.1
+        velocity = numpy.zeros((4000, 3))
+        inside = bed_statistics.window_of(position, WINDOWS, False)
+        for window, (a, b) in enumerate([(0.2, 0.5), (0.1, 0.0)]):
+            mine = numpy.flatnonzero(inside == window)[: 2 * (numpy.count_nonzero(inside == window) // 2)]
+            sign = numpy.where(numpy.arange(len(mine)) % 2, 1.0, -1.0)
+            velocity[mine] = numpy.column_stack([1.5 + a * sign, 7 * sign, -2 + b * sign])
+            position[numpy.setdiff1d(numpy.flatnonzero(inside == window), mine), 2] = 0.0  # the odd one is put outside
+        number, sums, temperatures = self.moments(position, velocity)
+        self.assertTrue(left.any() and (number % 2 == 0).all())
+        numpy.testing.assert_allclose(sums / number[:, None], [[1.5, -2.0]] * 2, rtol=1e-12)
+        numpy.testing.assert_allclose(temperatures, [[0.04, 0.25], [0.01, 0.0]], rtol=1e-12, atol=1e-25)
+
+    def test_a_window_is_where_it_says(self):
+        places = {(0.05, 0.05, 0.15): (0, -1), (0.15, 0.005, 0.15): (1, 1), (0.1, 0.005, 0.15): (1, 1), (0.05, 0.01, 0.1): (0, 0),
+                  (0.05, 0.005, 0.2): (-1, -1), (0.05, 0.005, 0.0999): (-1, -1), (-0.01, 0.005, 0.15): (-1, -1),
+                  (0.2, 0.005, 0.15): (-1, -1), (0.21, 0.005, 0.15): (-1, -1)}
+        for front_only, column in ((False, 0), (True, 1)):
+            found = bed_statistics.window_of(numpy.array(list(places)), WINDOWS, front_only)
+            self.assertEqual(list(found), [value[column] for value in places.values()])
+
+    def test_one_sphere_has_no_temperature(self):
+        number, _, temperatures = self.moments(numpy.array([[0.05, 0.05, 0.15]]), numpy.ones((1, 3)))
+        self.assertEqual(list(number), [1, 0])
+        self.assertTrue(numpy.isnan(temperatures).all())
+
+
+class OverlapsOfPairs(unittest.TestCase):
+    def test_known_overlaps_of_one_size(self):
+        d, wanted = 0.01, [0.001, 0.02, 0.3]
+        places = [[0.05 * n + (d * (1 - w) if second else 0), 0.0, 0.0] for n, w in enumerate(wanted) for second in (0, 1)]
+        places += [[0.5, 0, 0], [0.5 + d * 1.0001, 0, 0]]  # these do not touch
+        found = bed_statistics.overlaps(numpy.array(places), numpy.full(8, d))
+        numpy.testing.assert_allclose(sorted(found), wanted, rtol=1e-9)
+
+    def test_mixed_sizes_are_measured_by_the_smaller_sphere(self):
+        position = numpy.array([[0.0, 0, 0], [0, 0.0149, 0], [0, 0.1, 0], [0.004, 0.1, 0]])
+        diameter = numpy.array([0.02, 0.01, 0.005, 0.005])
+        numpy.testing.assert_allclose(sorted(bed_statistics.overlaps(position, diameter)), [0.01, 0.2], rtol=1e-9)
+
+    def test_a_compressed_lattice_has_three_contacts_a_sphere(self):
+        n, d, overlap = 12, 0.01, 0.004
+        grid = numpy.stack(numpy.meshgrid(*[numpy.arange(n)] * 3), -1).reshape(-1, 3) * d * (1 - overlap)
+        found = bed_statistics.overlaps(grid, numpy.full(n**3, d))
+        self.assertEqual(len(found), 3 * n**2 * (n - 1))
+        numpy.testing.assert_allclose(found, overlap, rtol=1e-9)
+
+    def test_none_and_one(self):
+        self.assertEqual(len(bed_statistics.overlaps(numpy.zeros((0, 3)), numpy.zeros(0))), 0)
+        self.assertEqual(len(bed_statistics.overlaps(numpy.zeros((1, 3)), numpy.ones(1))), 0)
+
+    def test_every_overlap_is_counted(self):
+        self.assertEqual(bed_statistics.overlap_counts(numpy.array([1e-12, 1e-3, 1.0, 50.0])).sum(), 4)
+
+
+class VoidageOfCells(unittest.TestCase):
+    def test_solid_volume_is_conserved(self):
+        position, diameter = scattered(2000), numpy.random.default_rng(2).uniform(0.001, 0.03, 2000)
+        solid, outside = bed_statistics.solid_fraction(position, diameter, MESH)
+        self.assertEqual(outside, 0)
+        self.assertAlmostEqual(solid.sum() * MESH.cell_volume / (numpy.pi / 6 * (diameter**3).sum()), 1, delta=1e-12)
+
+    def lattice(self, spacing, shift):
+        axes = [(numpy.arange(-1, round(edge / spacing) + 1) + shift) * spacing for edge in SIZE]
+        return numpy.stack(numpy.meshgrid(*axes, indexing="ij"), -1).reshape(-1, 3)
+
+    def test_a_lattice_has_its_packing_in_every_cell(self):
+        """A simple cubic lattice at contact fills pi/6; here every sphere lies within one cell."""
+        position = self.lattice(0.01, 0.5)
+        solid, _ = bed_statistics.solid_fraction(position, numpy.full(len(position), 0.01), MESH)
+        numpy.testing.assert_allclose(solid, numpy.pi / 6, rtol=1e-12)
+
+    def test_faces_that_cut_all_spheres_in_the_same_place_are_the_worst_case(self):
+        mesh = BoxMesh((0.0, 0.0, 0.0), SIZE, (4, 3, 7))
+        position = self.lattice(0.004, 0.5)
+        solid, _ = bed_statistics.solid_fraction(position, numpy.full(len(position), 0.004), mesh)
+        numpy.testing.assert_allclose(solid, numpy.pi / 6, rtol=0.025)
+
+    def test_a_random_bed_is_known_to_a_part_of_a_thousand(self):
+        """Spheres a fifth of a cell wide, a solid fraction of 0.5 on average, against the same with 4,096 points each."""
+        position, diameter = scattered(7600), numpy.full(7600, 0.01)
+        found, _ = bed_statistics.solid_fraction(position, diameter, MESH)
+        fine, _ = bed_statistics.solid_fraction(position, diameter, MESH, 4096)
+        self.assertLess(numpy.sqrt(numpy.mean((found - fine) ** 2)), 1.5e-3)
+
+    def test_a_sphere_on_a_face_an_edge_and_a_corner_is_halved_quartered_divided_by_eight(self):
+        for axes, parts in (((0,), 2), ((0, 2), 4), ((0, 1, 2), 8)):
+            centre = numpy.array([0.025, 0.025, 0.025])
+            centre[list(axes)] = 0.05
+            solid, _ = bed_statistics.solid_fraction(centre[None], numpy.array([0.03]), MESH)
+            shares = solid[solid > 0] * MESH.cell_volume / (numpy.pi / 6 * 0.03**3)
+            self.assertEqual(len(shares), parts)
+            numpy.testing.assert_allclose(shares, 1 / parts, atol=0.04)
+
+    def test_a_cap_has_its_share(self):
+        """A plane at c radii from the centre cuts off (2 - 3 c + c^3) / 4 of the ball, from whichever side."""
+        errors = []
+        for c in numpy.linspace(-0.95, 0.95, 39):
+            for axis in range(3):
+                centre = numpy.full(3, 0.025)
+                centre[axis] = 0.05 - 0.01 * c
+                solid, _ = bed_statistics.solid_fraction(centre[None], numpy.array([0.02]), MESH)
+                errors.append(solid[tuple(int(a == axis) for a in range(3))] * MESH.cell_volume / (numpy.pi / 6 * 0.02**3)
+                              - (2 - 3 * c + c**3) / 4)
+        self.assertLess(numpy.sqrt(numpy.mean(numpy.square(errors))), 0.02)
+
+    def test_what_sticks_out_stays_and_what_is_outside_is_counted(self):
+        solid, outside = bed_statistics.solid_fraction(
+            numpy.array([[0.001, 0.001, 0.001], [0.3, 0.05, 0.1]]), numpy.array([0.01, 0.01]), MESH
+        )
+        self.assertEqual(outside, 1)
+        self.assertAlmostEqual(solid[0, 0, 0] * MESH.cell_volume, numpy.pi / 6 * 1e-6, delta=1e-18)
+
+    def test_the_points_are_a_ball(self):
+        points = bed_statistics.ball_points(bed_statistics.SPLIT)
+        numpy.testing.assert_allclose(points.mean(axis=0), 0, atol=1e-15)
+        numpy.testing.assert_allclose(points.T @ points / len(points), numpy.eye(3) / 5, atol=1e-12)
+        self.assertLess(numpy.linalg.norm(points, axis=1).max(), 1.001)
+
+
+class Errors(unittest.TestCase):
+    def test_a_ratio_and_its_error(self):
+        """Over 150 records, the true ratio lies within 2 standard errors in some 95 %."""
+        inside = 0
+        for seed in range(150):
+            number = 100 + 20 * correlated(400, 0.8, 3 * seed)
+            velocity = 0.3 + 0.1 * correlated(400, 0.8, 3 * seed + 1)
+            found = statistics.ratio_with_error(number * velocity, number)
+            inside += abs(found.value - 0.3) < 2 * found.error
+        self.assertGreater(inside / 150, 0.88)
+        self.assertLess(inside / 150, 0.99)
+
+    def test_a_ratio_that_never_changes_has_no_error(self):
+        number = numpy.random.default_rng(1).integers(0, 50, 100)
+        found = statistics.ratio_with_error(0.3 * number, number)
+        self.assertAlmostEqual(found.value, 0.3, delta=1e-12)
+        self.assertLess(found.error, 1e-12)
+        with self.assertRaises(ValueError):
+            statistics.ratio_with_error(numpy.zeros(30), numpy.zeros(30))
+
+    def test_a_quantile_and_its_error(self):
+        """Values uniform between 0 and 1 plus a shift common to each snapshot: the quantile moves with the shift's mean."""
+        edges, random, inside = numpy.linspace(-3, 4, 1401), numpy.random.default_rng(5), 0
+        for seed in range(50):
+            shifts = 0.1 * correlated(200, 0.6, seed)
+            values = random.uniform(0, 1, (200, 400)) + shifts[:, None]
+            counts = [numpy.histogram(row, edges)[0] for row in values]
+            found = statistics.quantile_with_error(counts, edges, 0.5)
+            self.assertAlmostEqual(found.value, numpy.median(values), delta=0.006)
+            inside += abs(found.value - 0.5) < 2 * found.error
+        self.assertGreater(inside, 42)
+
+    def test_a_quantile_of_few_snapshots_has_no_error(self):
+        found = statistics.quantile_with_error([[0, 10, 10, 0], [0, 11, 9, 0], [0, 9, 11, 0]], [0, 1, 2, 3, 4], 0.75)
+        self.assertAlmostEqual(found.value, 2.5)
+        self.assertTrue(math.isnan(found.error) and found.reason)
+
+    def test_the_spectrum_peaks_at_the_frequency_and_holds_the_variance(self):
+        time = numpy.arange(0, 50, 0.05)
+        frequency, power = run_report.spectrum(time, 200 * numpy.sin(2 * numpy.pi * 1.6 * time))
+        self.assertAlmostEqual(frequency[power.argmax()], 1.6, delta=0.05)
+        self.assertAlmostEqual(power.sum() * (frequency[1] - frequency[0]), 200**2 / 2, delta=0.02 * 200**2 / 2)
+        self.assertIsNone(run_report.spectrum(time[:100], time[:100]))
+
+
+class Table(unittest.TestCase):
+    def mean(self, value, error, reason=""):
+        return statistics.Mean(value, error, 1.0, 100, 50, 40, 1, reason)
+
+    def test_numbers_are_shown_to_the_digits_of_their_error(self):
+        for value, error, expected in ((846.23, 3.12, "846.2 +- 3.1"), (0.03456, 0.00123, "0.0346 +- 0.0012"), (-12345.6, 210, "-12346 +- 210"),
+                                       (0.0, 0.01, "0.000 +- 0.010"), (100.0, 0.0, "100 +- 0"), (3.21e-6, 4e-8, "(3.210 +- 0.040)e-6")):
+            self.assertEqual(report_table.shown(self.mean(value, error)), expected)
+        self.assertEqual(report_table.shown(self.mean(1.5, math.nan, "few")), "1.5 +- ?")
+        self.assertEqual(report_table.shown(self.mean(1.5, 0.1, "drifts")), "1.50 +- 0.10 ?")
+        self.assertEqual(report_table.shown(None), "-")
+
+    def test_agreement_is_by_the_joint_uncertainty(self):
+        a = [self.mean(1.0, 0.3), self.mean(1.0, 0.3), self.mean(1.0, 0.3), None]
+        b = [self.mean(1.5, 0.4), self.mean(5.0, 0.4), self.mean(1.0, 0.4, "drifts"), self.mean(1.0, 0.3)]
+        found = [row[0] for row in report_table.judged(a, [b], 0.95)]
+        self.assertEqual([j.verdict for j in found], ["agree", "differ", "not judged", "not judged"])
+        self.assertAlmostEqual(found[0].ratio, 0.5 / 0.5)
+        self.assertAlmostEqual(found[1].ratio, 4 / 0.5)
+
+
+class Folder(unittest.TestCase):
+    """Runs' folders as tools/run and the program leave them."""
+
+    def setUp(self):
+        self._folder = tempfile.TemporaryDirectory(prefix="interphase-report-")
+        self.addCleanup(self._folder.cleanup)
+        self.folder = self._folder.name
+
+    def write(self, run, name, text):
+        path = os.path.join(self.folder, run, name)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+
+    def case(self, run, scene=REPORT_DICT, mesh=MESH_DICT):
+        self.write(run, "parameters", PARAMETERS)
+        if scene:
+            self.write(run, "system/reportDict", scene)
+        if mesh:
+            self.write(run, "system/blockMeshDict", mesh)
+        return os.path.join(self.folder, run)
+
+    def run_of(self, name, snapshots=60, seed=1, ended=True, weight=1.0, results=True, shift=0.0, case=True):
+        """A bed of 300 spheres at 20 Hz: vertical velocity 0.5 + `shift` on average, shared deviations of 0.2; one overlap of 1e-3."""
+        folder = self.case(name) if case else os.path.join(self.folder, name)
+        os.makedirs(folder, exist_ok=True)
+        random = numpy.random.default_rng(seed)
+        together = 0.2 * correlated(snapshots, 0.5, seed)
+        with h5py.File(os.path.join(folder, "particles.h5"), "w") as file:
+            file.create_group("snapshots")
+            for n in range(snapshots):
+                group = file.create_group(f"snapshots/{n:06d}")
+                group.attrs["time"] = 0.05 * n
+                position = scattered(300, seed=1000 * seed + n) * 0.9 + 0.005
+                position[:2] = [[0.1, 0.05, 0.39], [0.1, 0.05 + 0.001 * (1 - 1e-3), 0.39]]
+                group["id"] = numpy.arange(1, 301)
+                group["position"] = position
+                group["velocity"] = numpy.column_stack(
+                    [random.normal(0, 0.3, 300), random.normal(0, 1, 300), 0.5 + shift + together[n] + random.normal(0, 0.6, 300)]
+                )
+                group["diameter"] = numpy.full(300, 0.001)
+        if results:
+            with h5py.File(os.path.join(folder, "results.h5"), "w") as file:
+                file["series/time"] = 0.05 * numpy.arange(1, snapshots)
+                file["series/pressure_drop"] = 900 + 100 * correlated(snapshots - 1, 0.5, seed + 1)
+                file["series/bed_height"] = numpy.full(snapshots - 1, 0.3)
+                file["series/kinetic_energy"] = 0.1 + 0.01 * correlated(snapshots - 1, 0.5, seed + 2)
+                file.create_group("meta").attrs["weight"] = weight
+                if ended:
+                    file["meta"].attrs["wall_time"] = 12.0
+        return folder
+
+    def report(self, *given, code=0):
+        out, err = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            found = report_tool.main([str(word) for word in given])
+        self.assertEqual(found, code, out.getvalue() + err.getvalue())
+        return out.getvalue() if code == 0 else err.getvalue()
+
+
+class WholeReport(Folder):
+    def test_the_numbers_are_in_the_file_with_units(self):
+        run = self.run_of("one", snapshots=120)
+        text = self.report(run)
+        with h5py.File(os.path.join(run, "results.h5"), "r") as file:
+            for depth in ("front_slice", "full_depth"):
+                group = file[f"profiles/{depth}"]
+                for name, expected, unit in (("vertical_velocity", 0.5, "m/s"), ("horizontal_velocity", 0.0, "m/s")):
+                    found, error = group[name][()], group[f"{name}_error"][()]
+                    self.assertEqual(group[name].attrs["unit"], unit)
+                    self.assertTrue((error > 0).all() and (abs(found - expected) < 4 * error).all())
+            # (0.3^2 + 0.6^2) / 3, less 1/N of it: some 40 spheres are in a window
+            group = file["profiles/full_depth"]
+            number = group["number"][()]
+            expected = (0.09 + 0.36) / 3 * (1 - 1 / number)
+            self.assertTrue((abs(group["granular_temperature"] - expected) < 4 * group["granular_temperature_error"][()]).all())
+            self.assertEqual(group["granular_temperature"].attrs["unit"], "m2/s2")
+            numpy.testing.assert_allclose(file["profiles/window_centre"], [0.05, 0.15])
+            overlap = file["histograms/overlap"]
+            self.assertAlmostEqual(overlap["share"][()].sum(), 1)
+            self.assertLess(overlap["share_below_limits"][0], 1)  # other pairs of random spheres overlap more
+            self.assertGreaterEqual(overlap["largest"][()], 1e-3)
+            voidage = file["histograms/voidage"]
+            self.assertAlmostEqual(voidage["share"][()].sum() + voidage.attrs["share_below_edges"], 1)
+            self.assertAlmostEqual(file["profiles/means/bed_height"][()], 0.3)
+            self.assertEqual(file["profiles/means/pressure_drop"].attrs["unit"], "Pa")
+            self.assertAlmostEqual(file["profiles"].attrs["from"], 1.0)
+            self.assertEqual(file["profiles"].attrs["snapshots"], 100)
+            self.assertIn("series/time", file)  # what was there stays
+            before = voidage["share"][()]
+        self.assertIn("front slice", text)  # W = 1
+        self.assertTrue(os.path.isfile(os.path.join(run, "report.png")))
+        self.report(run)
+        with h5py.File(os.path.join(run, "results.h5"), "r") as file:
+            numpy.testing.assert_array_equal(file["histograms/voidage/share"], before)
+
+    def test_twins_agree_and_a_shifted_run_differs(self):
+        runs = [self.run_of("a", 200), self.run_of("b", 200, seed=2), self.run_of("c", 200, seed=3, shift=0.5)]
+        text = self.report(*runs, "--no-write", "--depth", "full")
+        columns = text.split("vertical velocity [m/s]\n")[1].splitlines()[0]
+        self.assertRegex(columns, r"x = 0\.0500 m .* agree .* differ")
+        self.assertRegex(text, r"B against A: \d+ agree, 0 differ")
+        self.assertRegex(text, r"A: a +B: b +C: c +B - A +C - A")
+        self.assertFalse(os.path.exists(os.path.join(runs[0], "report.png")))
+        with h5py.File(os.path.join(runs[0], "results.h5"), "r") as file:
+            self.assertNotIn("profiles", file)
+
+    def test_parcels_are_shown_over_the_full_depth(self):
+        self.assertIn("full depth", self.report(self.run_of("one", weight=8.0), "--no-write"))
+
+    def test_the_range_is_that_of_the_shortest_run(self):
+        long, short = self.run_of("long", 80), self.run_of("short", 50, seed=4)
+        text = self.report(long, short, "--no-write")
+        self.assertIn("from 1 to 2.45 s", text)
+        self.assertRegex(text, r"snapshots +30 +30\b")
+        self.assertRegex(self.report(long, short, "--no-write", "--from", 0, "--every", 5), r"snapshots +10 +10\b")
+
+    def test_the_figure_goes_where_it_is_asked_for(self):
+        path = os.path.join(self.folder, "figure.png")
+        self.report(self.run_of("one", 30), "--no-write", "--out", path)
+        with open(path, "rb") as file:
+            self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n")
+
+    def test_from_the_command_line(self):
+        done = subprocess.run([SCRIPT, self.run_of("one", 30)], capture_output=True, text=True, timeout=120)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("pressure drop", done.stdout)
+        done = subprocess.run([SCRIPT, "--help"], capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("reportDict", done.stdout)
+
+    def test_parts_that_are_not_asked_for_are_left_out(self):
+        run = self.run_of("one", 30)
+        self.write("one", "system/reportDict", "overlaps { shares (0.01); percentiles (90); }")
+        text = self.report(run)
+        self.assertNotIn("voidage", text.replace("voidage.", ""))
+        with h5py.File(os.path.join(run, "results.h5"), "r") as file:
+            self.assertEqual(list(file["histograms"]), ["overlap"])
+
+    def test_the_reference_bed_is_described_as_the_experiment_was(self):
+        scene = report_scene.read(os.path.join(SOURCE, "cases/sscp1"))
+        edges = bed_statistics.window_edges(scene.windows)
+        self.assertEqual(scene.voidage.mesh, BoxMesh((0, 0, 0), (0.2286, 0.0762, 1.2192), (16, 4, 85)))
+        numpy.testing.assert_allclose(numpy.diff(edges), 0.0457, atol=5e-5)
+        self.assertEqual((scene.windows.centre, scene.windows.front_depth, scene.start), (0.0762, 0.003, 10))
+
+
+class Refused(Folder):
+    def refused(self, *given, says):
+        message = self.report(*given, code=2)
+        for words in [says] if isinstance(says, str) else says:
+            self.assertRegex(message, words)
+        return message
+
+    def test_no_such_run(self):
+        self.refused(os.path.join(self.folder, "none"), says="no such folder")
+        os.makedirs(os.path.join(self.folder, "empty"))
+        self.refused(os.path.join(self.folder, "empty"), says="no particles.h5")
+
+    def test_no_results(self):
+        run = self.run_of("one", 30, results=False)
+        self.refused(run, says=["no results.h5", "--no-write"])
+        self.assertIn("note: one: no /series", self.report(run, "--no-write"))
+
+    def test_a_run_that_goes_on_is_left_alone(self):
+        run = self.run_of("one", 30, ended=False)
+        path = os.path.join(run, "results.h5")
+        before = os.stat(path).st_mtime_ns
+        self.refused(run, says=["has not recorded its end", "--no-write"])
+        holder = subprocess.Popen([sys.executable, "-c", f"f = open({path!r}, 'rb'); print(1, flush=True); input()"],
+                                  stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        try:
+            holder.stdout.readline()
+            self.refused(run, says=[f"process {holder.pid} has it open", "still going"])
+        finally:
+            holder.communicate("\n")
+        self.assertEqual(os.stat(path).st_mtime_ns, before)
+        self.report(run, "--no-write")
+        self.write("one", "run.json", json.dumps({"exit_code": 1}))
+        self.report(run)
+
+    def test_no_snapshots_in_the_range(self):
+        run = self.run_of("one", 10)
+        self.refused(run, says=[r"no snapshots from 1 to 0\.45 s", r"from 0 to 0\.45 s", "`from` of the case is 1 s"])
+        self.refused(run, "--from", 0.41, "--until", 0.44, says="no snapshots from 0.41 to 0.44")
+        self.refused(run, "--from", 2, "--until", 1, says="is after --until")
+
+    def test_no_report_file_in_the_case(self):
+        run = self.run_of("one", 30)
+        os.remove(os.path.join(run, "system/reportDict"))
+        self.refused(run, says=["system/reportDict: no such file", "--scene"])
+        scene = os.path.join(self.folder, "scene")
+        shutil.copy(os.path.join(self.run_of("two", 30), "system/reportDict"), scene)
+        self.report(run, "--scene", scene)
+        self.refused(run, "--scene", scene + "x", says="no such file")
+
+    def test_runs_that_measure_different_things(self):
+        a, b = self.run_of("a", 30), self.run_of("b", 30)
+        self.write("b", "system/reportDict", REPORT_DICT.replace("centre 0.15", "centre 0.2"))
+        self.refused(a, b, says=r"do not measure the same \(windows")
+
+    def test_unknown_and_bad_entries_are_told_with_their_line(self):
+        run = self.run_of("one", 30)
+        for old, new, *says in (
+            ("frontDepth", "frontDept", "line 3: windows/frontDept is unknown: did you mean 'frontDepth'"),
+            ("overlaps {", "overlap {", "overlap is unknown: did you mean 'overlaps'"),
+            ("from 1", "start 1", "start is unknown"),
+            ("count 2", "count 2.5", "windows/count = 2.5: a whole number"),
+            ("count 2; ", "", "no entry windows/count"),
+            ("$width", "$widht", r"\$widht is not in this file or .*parameters"),
+            ("right $width", "right -1", "is not right of"),
+            ("(50 90)", "(50 100)", "between 0 and 100"),
+            ("(50 90)", "(90 50)", "must ascend"),
+            ("(0.0025 0.01)", "0.01", "a list of numbers in parentheses"),
+            ("windows {", "windows 5; other {", "other is unknown|windows must be a block"),
+            ("from 1;", "from { }", "from must be a value"),
+            ("from 1;", "from 1", "line"),
+            ("highest 1", "highest 0.2", "is not above voidage/lowest"),
+        ):
+            with self.subTest(new):
+                self.assertIn(old, REPORT_DICT)
+                self.write("one", "system/reportDict", REPORT_DICT.replace(old, new, 1))
+                self.refused(run, says=list(says))
+
+    def test_a_mesh_that_is_no_uniform_box(self):
+        run = self.run_of("one", 30)
+        for old, new, says in (
+            ("simpleGrading (1 1 1)", "simpleGrading (1 1 2)", "graded"),
+            ("blocks (hex", "blocks (hex (0 1 2 3 4 5 6 7) (1 1 1) simpleGrading (1 1 1) hex", "2 blocks"),
+            ("(0 $depth $height)", "(0.1 $depth $height)", "no upright box"),
+        ):
+            with self.subTest(new):
+                self.write("one", "system/blockMeshDict", MESH_DICT.replace(old, new))
+                self.refused(run, says=["add windows/front"])
+                front = REPORT_DICT.replace("windows {", "windows { front 0;")
+                self.write("one", "system/reportDict", front)
+                self.refused(run, says=["uniform mesh of boxes", says])
+                own = front.replace("voidage {", "voidage { low (0 0 0); high (0.2 0.1 0.4); cells (4 2 8);")
+                self.write("one", "system/reportDict", own)
+                self.report(run, "--no-write")
+                self.write("one", "system/reportDict", REPORT_DICT)
+
+    def test_bad_options(self):
+        run = self.run_of("one", 30)
+        self.refused(run, "--every", 0, says="above 0")
+        self.refused(run, "--from", "now", says="not a number")
+        self.refused(run, "--out", "picture.gif", says=r"\.png")
+        self.refused(run, "--confidence", 95, says="between 0 and 1")
+        self.refused(says="Usage")
+
+    def test_particles_that_are_not_finite(self):
+        run = self.run_of("one", 30)
+        with h5py.File(os.path.join(run, "particles.h5"), "r+") as file:
+            file["snapshots/000025/velocity"][3] = numpy.nan
+        self.refused(run, says=["000025", "velocity holds NaN", "--until"])
+
+
+if __name__ == "__main__":
+    unittest.main()
