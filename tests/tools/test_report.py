@@ -13,7 +13,6 @@ import io
 import json
 import math
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -29,8 +28,7 @@ TOOLS = os.path.join(SOURCE, "tools")
 sys.path.insert(0, TOOLS)
 
 from lib import bed_statistics, report_scene, report_table, run_report, statistics  # noqa: E402
-from lib.input_error import InputError  # noqa: E402
-from lib.report_scene import BoxMesh, Overlaps, Scene, Voidage, Windows  # noqa: E402
+from lib.report_scene import BoxMesh, Windows  # noqa: E402
 
 SCRIPT = os.path.join(TOOLS, "report")
 _loader = importlib.machinery.SourceFileLoader("report_tool", SCRIPT)
@@ -45,7 +43,11 @@ SIZE = (0.2, 0.1, 0.4)
 PARAMETERS = "width 0.2;\ndepth 0.1;\nheight 0.4;\nacross 4;\n"
 
 MESH_DICT = """scale 1;
-vertices ((0 0 0) ($width 0 0) ($width $depth 0) (0 $depth 0) (0 0 $height) ($width 0 $height) ($width $depth $height) (0 $depth $height));
+vertices
+(
+    (0 0 0)       ($width 0 0)       ($width $depth 0)       (0 $depth 0)
+    (0 0 $height) ($width 0 $height) ($width $depth $height) (0 $depth $height)
+);
 blocks (hex (0 1 2 3 4 5 6 7) ($across 2 8) simpleGrading (1 1 1));
 """
 
@@ -53,7 +55,7 @@ REPORT_DICT = """#include "$FOAM_CASE/parameters"
 from 1;
 windows { count 2; left 0; right $width; centre 0.15; height 0.1; frontDepth 0.01; }
 overlaps { shares (0.0025 0.01); percentiles (50 90); }
-voidage { lowest 0.3; highest 1; bins 70; limits (0.5 0.95); }
+voidage { lowest 0.3; highest 1; bins 28; limits (0.5 0.95); }
 """
 
 
@@ -80,22 +82,21 @@ class Velocity(unittest.TestCase):
     def test_two_temperatures(self):
         """Half of each window's spheres move at u + a, half at u - a: Theta is a^2, in x and z apart; y does not count."""
         position = scattered(4000)
-        left = position[:, 0] < 0.1
         velocity = numpy.zeros((4000, 3))
         inside = bed_statistics.window_of(position, WINDOWS, False)
         for window, (a, b) in enumerate([(0.2, 0.5), (0.1, 0.0)]):
             mine = numpy.flatnonzero(inside == window)[: 2 * (numpy.count_nonzero(inside == window) // 2)]
             sign = numpy.where(numpy.arange(len(mine)) % 2, 1.0, -1.0)
             velocity[mine] = numpy.column_stack([1.5 + a * sign, 7 * sign, -2 + b * sign])
-            position[numpy.setdiff1d(numpy.flatnonzero(inside == window), mine), 2] = 0.0  # the odd one is put outside
+            position[numpy.setdiff1d(numpy.flatnonzero(inside == window), mine), 2] = 0.0  # the odd one goes outside
         number, sums, temperatures = self.moments(position, velocity)
-        self.assertTrue(left.any() and (number % 2 == 0).all())
+        self.assertTrue((number > 100).all() and (number % 2 == 0).all())
         numpy.testing.assert_allclose(sums / number[:, None], [[1.5, -2.0]] * 2, rtol=1e-12)
         numpy.testing.assert_allclose(temperatures, [[0.04, 0.25], [0.01, 0.0]], rtol=1e-12, atol=1e-25)
 
     def test_a_window_is_where_it_says(self):
-        places = {(0.05, 0.05, 0.15): (0, -1), (0.15, 0.005, 0.15): (1, 1), (0.1, 0.005, 0.15): (1, 1), (0.05, 0.01, 0.1): (0, 0),
-                  (0.05, 0.005, 0.2): (-1, -1), (0.05, 0.005, 0.0999): (-1, -1), (-0.01, 0.005, 0.15): (-1, -1),
+        places = {(0.05, 0.05, 0.15): (0, -1), (0.15, 0.005, 0.15): (1, 1), (0.1, 0.005, 0.15): (1, 1),
+                  (0.05, 0.01, 0.1): (0, 0), (0.05, 0.005, 0.2): (-1, -1), (0.05, 0.005, 0.0999): (-1, -1), (-0.01, 0.005, 0.15): (-1, -1),
                   (0.2, 0.005, 0.15): (-1, -1), (0.21, 0.005, 0.15): (-1, -1)}
         for front_only, column in ((False, 0), (True, 1)):
             found = bed_statistics.window_of(numpy.array(list(places)), WINDOWS, front_only)
@@ -250,8 +251,10 @@ class Table(unittest.TestCase):
         return statistics.Mean(value, error, 1.0, 100, 50, 40, 1, reason)
 
     def test_numbers_are_shown_to_the_digits_of_their_error(self):
-        for value, error, expected in ((846.23, 3.12, "846.2 +- 3.1"), (0.03456, 0.00123, "0.0346 +- 0.0012"), (-12345.6, 210, "-12346 +- 210"),
-                                       (0.0, 0.01, "0.000 +- 0.010"), (100.0, 0.0, "100 +- 0"), (3.21e-6, 4e-8, "(3.210 +- 0.040)e-6")):
+        for value, error, expected in (
+            (846.23, 3.12, "846.2 +- 3.1"), (0.03456, 0.00123, "0.0346 +- 0.0012"), (-12345.6, 210, "-12346 +- 210"),
+            (0.0, 0.01, "0.000 +- 0.010"), (100.0, 0.0, "100 +- 0"), (3.21e-6, 4e-8, "(3.210 +- 0.040)e-6"),
+        ):
             self.assertEqual(report_table.shown(self.mean(value, error)), expected)
         self.assertEqual(report_table.shown(self.mean(1.5, math.nan, "few")), "1.5 +- ?")
         self.assertEqual(report_table.shown(self.mean(1.5, 0.1, "drifts")), "1.50 +- 0.10 ?")
@@ -289,7 +292,7 @@ class Folder(unittest.TestCase):
         return os.path.join(self.folder, run)
 
     def run_of(self, name, snapshots=60, seed=1, ended=True, weight=1.0, results=True, shift=0.0, case=True):
-        """A bed of 300 spheres at 20 Hz: vertical velocity 0.5 + `shift` on average, shared deviations of 0.2; one overlap of 1e-3."""
+        """300 spheres at 20 Hz: vertical velocity 0.5 + `shift` on average, shared deviations of 0.2, an overlap of 1e-3."""
         folder = self.case(name) if case else os.path.join(self.folder, name)
         os.makedirs(folder, exist_ok=True)
         random = numpy.random.default_rng(seed)
@@ -304,7 +307,8 @@ class Folder(unittest.TestCase):
                 group["id"] = numpy.arange(1, 301)
                 group["position"] = position
                 group["velocity"] = numpy.column_stack(
-                    [random.normal(0, 0.3, 300), random.normal(0, 1, 300), 0.5 + shift + together[n] + random.normal(0, 0.6, 300)]
+                    [random.normal(0, 0.3, 300), random.normal(0, 1, 300), 0.5 + shift + together[n]
+                     + random.normal(0, 0.6, 300)]
                 )
                 group["diameter"] = numpy.full(300, 0.001)
         if results:
@@ -341,7 +345,8 @@ class WholeReport(Folder):
             group = file["profiles/full_depth"]
             number = group["number"][()]
             expected = (0.09 + 0.36) / 3 * (1 - 1 / number)
-            self.assertTrue((abs(group["granular_temperature"] - expected) < 4 * group["granular_temperature_error"][()]).all())
+            error = group["granular_temperature_error"][()]
+            self.assertTrue((abs(group["granular_temperature"] - expected) < 4 * error).all())
             self.assertEqual(group["granular_temperature"].attrs["unit"], "m2/s2")
             numpy.testing.assert_allclose(file["profiles/window_centre"], [0.05, 0.15])
             overlap = file["histograms/overlap"]
@@ -363,7 +368,7 @@ class WholeReport(Folder):
             numpy.testing.assert_array_equal(file["histograms/voidage/share"], before)
 
     def test_twins_agree_and_a_shifted_run_differs(self):
-        runs = [self.run_of("a", 200), self.run_of("b", 200, seed=2), self.run_of("c", 200, seed=3, shift=0.5)]
+        runs = [self.run_of("a", 120), self.run_of("b", 120, seed=2), self.run_of("c", 120, seed=3, shift=0.5)]
         text = self.report(*runs, "--no-write", "--depth", "full")
         columns = text.split("vertical velocity [m/s]\n")[1].splitlines()[0]
         self.assertRegex(columns, r"x = 0\.0500 m .* agree .* differ")

@@ -16,26 +16,29 @@ INK = "0.2"
 
 def draw(path, names, reports, depth, scene):
     """`names`: one per report. Panels that no run has anything for are left out."""
-    panels = [(has, make) for has, make in (
-        (any(r.windows is not None for r in reports), lambda axes: _velocity(axes, names, reports, depth, "vertical", scene)),
-        (any(r.windows is not None for r in reports), lambda axes: _velocity(axes, names, reports, depth, "horizontal", scene)),
-        (any(r.windows is not None for r in reports), lambda axes: _temperature(axes, reports, depth)),
-        (any(r.overlap is not None for r in reports), lambda axes: _overlap(axes, reports)),
-        (any(r.voidage is not None for r in reports), lambda axes: _voidage(axes, reports)),
-        (any(r.pressure is not None for r in reports), lambda axes: _pressure(axes, reports)),
-    ) if has]
+    def there(part):
+        return any(getattr(report, part) is not None for report in reports)
+
+    panels = [make for part, make in (
+        ("windows", lambda axes: _velocity(axes, reports, depth, "vertical", scene)),
+        ("windows", lambda axes: _velocity(axes, reports, depth, "horizontal", scene)),
+        ("windows", lambda axes: _temperature(axes, reports, depth)),
+        ("overlap", lambda axes: _overlap(axes, reports)),
+        ("voidage", lambda axes: _voidage(axes, reports)),
+        ("pressure", lambda axes: _pressure(axes, reports)),
+    ) if there(part)]
     plt.rcParams.update({"font.size": 8, "axes.edgecolor": INK, "axes.linewidth": 0.8, "axes.labelcolor": INK,
                          "xtick.color": INK, "ytick.color": INK, "text.color": INK})
     columns = min(len(panels), 3) or 1
     lines = math.ceil(len(panels) / columns) or 1
     figure, all_axes = plt.subplots(lines, columns, figsize=(3.5 * columns, 2.9 * lines + 0.5), squeeze=False)
-    for axes, (_, make) in zip(all_axes.flat, panels):
+    for axes, make in zip(all_axes.flat, panels):
         make(axes)
         for side in ("top", "right"):
             axes.spines[side].set_visible(False)
     for axes in all_axes.flat[len(panels):]:
         axes.set_visible(False)
-    handles = [matplotlib.lines.Line2D([], [], **_style(at), marker=_marker(at), markersize=4) for at in range(len(names))]
+    handles = [plt.Line2D([], [], **_style(at), marker=_marker(at), markersize=4) for at in range(len(names))]
     figure.legend(handles, names, loc="upper left", ncol=min(len(names), 4), frameon=False, fontsize=9)
     figure.tight_layout(rect=(0, 0, 1, 1 - 0.35 / (2.9 * lines + 0.5) * math.ceil(len(names) / 4)))
     figure.savefig(path, dpi=160)
@@ -66,7 +69,7 @@ def _profile(axes, reports, means_of):
     axes.set_xlabel("x [m]")
 
 
-def _velocity(axes, names, reports, depth, component, scene):
+def _velocity(axes, reports, depth, component, scene):
     _profile(axes, reports, lambda report: report.profiles[depth].velocity[component])
     axes.axhline(0, color="0.75", linewidth=0.8, zorder=0)
     axes.set_ylabel(f"{component} velocity [m/s]")

@@ -49,13 +49,13 @@ def check_writable(run):
     process = open_elsewhere(run.results)
     if process is not None:
         raise InputError(
-            f"{run.results}: process {process} has it open: the run is still going, and nothing is written into its file; wait "
-            "for its end, or see what is there so far by --no-write"
+            f"{run.results}: process {process} has it open: the run is still going, and nothing is written into its file; "
+            "wait for its end, or see what is there so far by --no-write"
         )
     if not has_ended(run):
         raise InputError(
-            f"{run.results}: the run has not recorded its end: it is still going, or was killed; --no-write reports without "
-            "writing"
+            f"{run.results}: the run has not recorded its end: it is still going, or was killed; --no-write reports "
+            "without writing"
         )
     _open(run.results).close()
 
@@ -75,7 +75,8 @@ def write(run, scene, report):
     with _open(run.results) as file:
         profiles, histograms = file.require_group("profiles"), file.require_group("histograms")
         for group in (profiles, histograms):
-            group.attrs["from"], group.attrs["until"], group.attrs["snapshots"] = report.first, report.last, report.snapshots
+            group.attrs["from"], group.attrs["until"] = report.first, report.last
+            group.attrs["snapshots"] = report.snapshots
         _fresh(profiles, "front_slice", "full_depth", "window_centre", "pressure_spectrum", "means")
         _fresh(histograms, "overlap", "voidage")
         if report.windows is not None:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What tools/report is to measure in a case: `system/reportDict`, and the box mesh of `system/blockMeshDict`.
 
-x goes across, y is the depth with the front wall at its low end, z is up. `$name` is looked up in the file itself, then in
-the case's `parameters`. A block that is left out (windows, overlaps, voidage) is not measured.
+x goes across, y is the depth with the front wall at its low end, z is up. `$name` is looked up in the file itself, then
+in the case's `parameters`. A block that is left out (windows, overlaps, voidage) is not measured.
 """
 
 import math
@@ -101,7 +101,8 @@ class _File:
 
     def complaint(self, name, message):
         entry = self.entry(name)
-        line = "" if entry is None or isinstance(entry, Dictionary) else f", line {foam_file.line_of(self.text, entry.start)}"
+        known = entry is not None and not isinstance(entry, Dictionary)
+        line = f", line {foam_file.line_of(self.text, entry.start)}" if known else ""
         return InputError(f"{self.path}{line}: {name} {message}")
 
     def entry(self, name):
@@ -187,7 +188,8 @@ class _File:
                 if key not in keys:
                     raise self.complaint(name, f"is unknown: {foam_file.nearest(key, keys)}")
                 if isinstance(self.entry(name), Dictionary) != (name in KEYS):
-                    raise self.complaint(name, "must be a block { ... }" if name in KEYS else "must be a value, not a block")
+                    wanted = "a block { ... }" if name in KEYS else "a value, not a block"
+                    raise self.complaint(name, f"must be {wanted}")
 
 
 def _parameters(folder):
@@ -215,15 +217,15 @@ def _box_mesh(folder, parameters):
         scale = file.number("scale", file.number("convertToMeters", 1.0))
     except ValueError:
         return f"{path}: vertices and block are more than plain numbers"
-    if len(numbers) % 3 or len(corners) != 8 or len(cells) != 3 or max(corners) >= len(numbers) // 3 or min(cells) < 1:
+    if len(corners) != 8 or len(cells) != 3 or min(cells) < 1 or len(numbers) % 3 or max(corners) >= len(numbers) // 3:
         return f"{path}: no block of eight corners and three numbers of cells"
     if grading[:1] not in (["simpleGrading"], ["edgeGrading"]) or any(w not in ("1", "(", ")") for w in grading[1:]):
         return f"the block of {path} is graded"
     points = [tuple(scale * v for v in numbers[3 * c:3 * c + 3]) for c in corners]
     low, high = (tuple(f(p[axis] for p in points) for axis in range(3)) for f in (min, max))
     # The first corners of a `hex` lie along its first, second and third direction from corner 0.
-    expected = [(low[0], low[1], low[2]), (high[0], low[1], low[2]), (high[0], high[1], low[2]), (low[0], high[1], low[2])]
-    expected += [(x, y, high[2]) for x, y, _ in expected]
+    around = [(low[0], low[1]), (high[0], low[1]), (high[0], high[1]), (low[0], high[1])]
+    expected = [(x, y, z) for z in (low[2], high[2]) for x, y in around]
     if points != expected or any(a >= b for a, b in zip(low, high)):
         return f"the block of {path} is no upright box, its first corner the lowest in x, y and z"
     return BoxMesh(low, high, tuple(cells))
@@ -288,8 +290,8 @@ def _voidage(file, mesh):
         mesh = BoxMesh(low, high, tuple(int(n) for n in cells))
     elif not isinstance(mesh, BoxMesh):
         raise InputError(
-            f"{file.path}: voidage is taken on a uniform mesh of boxes, but {mesh}; give one by `low (x y z); high (x y z); "
-            "cells (nx ny nz);` in the block voidage, or leave the block out"
+            f"{file.path}: voidage is taken on a uniform mesh of boxes, but {mesh}; give one by `low (x y z); "
+            "high (x y z); cells (nx ny nz);` in the block voidage, or leave the block out"
         )
     found = Voidage(
         file.number("voidage/lowest", 0.3), file.number("voidage/highest", 1.0), file.whole("voidage/bins", 70),

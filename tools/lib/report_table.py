@@ -39,14 +39,17 @@ def quantities(report, depth):
 
 
 def judged(first, others, confidence):
-    """`Judgement`s [quantity][other run] from lists of `Mean`s or None; `confidence` for all of a run together (Bonferroni)."""
+    """`Judgement`s [quantity][other run] from lists of `Mean`s or None.
+
+    `confidence` is for all quantities of a run together (Bonferroni, as in lib/statistical_comparison.py).
+    """
     columns = []
     for other in others:
-        pairs = [_comparable(a, b) for a, b in zip(first, other)]
-        differences = [statistics.difference(a, b) if not reason else None for (a, b), reason in zip(zip(first, other), pairs)]
+        reasons = [_comparable(a, b) for a, b in zip(first, other)]
+        differences = [None if why else statistics.difference(a, b) for a, b, why in zip(first, other, reasons)]
         count = sum(d is not None for d in differences)
         column = []
-        for difference, reason in zip(differences, pairs):
+        for difference, reason in zip(differences, reasons):
             if difference is None:
                 column.append(Judgement(UNJUDGED, reason=reason))
                 continue
@@ -64,7 +67,7 @@ def _comparable(a, b):
 
 
 def shown(mean, times=1.0):
-    """A `Mean` with its error, rounded to the error's two leading digits; a question mark where the error is not to be trusted."""
+    """A `Mean` with its error, to two digits of the error; a question mark where that is not to be trusted."""
     if mean is None:
         return "-"
     value, error = mean.value * times, mean.error * times
@@ -94,7 +97,8 @@ def text(names, reports, depth, confidence):
     verdicts = dict(zip(judgeable, judged(*_picked(means, judgeable), confidence)))
 
     letters = [chr(ord("A") + at) if at < 26 else str(at + 1) for at in range(len(names))]
-    rows = [["", *(f"{letter}: {name}" for letter, name in zip(letters, names)), *(f"{b} - {letters[0]}" for b in letters[1:])]]
+    titles = [f"{letter}: {name}" for letter, name in zip(letters, names)]
+    rows = [["", *titles, *(f"{letter} - {letters[0]}" for letter in letters[1:])]]
     rows.append(["snapshots", *(str(report.snapshots) for report in reports)])
     heading = ""
     for at, key in enumerate(keys):
@@ -106,8 +110,8 @@ def text(names, reports, depth, confidence):
         cells = [shown(column[at], quantity.shown_times) for column in means]
         rows.append([name, *cells, *map(_verdict, verdicts.get(at, ()))])
         if key[1] == "overlapping pairs per sphere":
-            rows.append(["largest overlap [% d]", *("-" if r.largest_overlap is None else f"{100 * r.largest_overlap:.3g}" for r in reports)])
-    widths = [max(len(row[at]) for row in rows if at < len(row) and len(row) > 1 or at == 0) for at in range(len(rows[0]))]
+            rows.append(["largest overlap [% d]", *(f"{100 * report.largest_overlap:.3g}" for report in reports)])
+    widths = [max(len(row[at]) for row in rows if at < len(row)) for at in range(len(rows[0]))]
     lines = ["  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip() for row in rows]
     return lines + _legend(names, letters, means, verdicts, confidence)
 
@@ -130,7 +134,7 @@ def _legend(names, letters, means, verdicts, confidence):
         column = [each[at] for each in verdicts.values()]
         counts = {v: sum(j.verdict == v for j in column) for v in (AGREE, DIFFER, UNJUDGED)}
         lines.append(
-            f"{letter} against {letters[0]}: {counts[AGREE]} agree, {counts[DIFFER]} differ, {counts[UNJUDGED]} not judged "
-            f"(difference over its standard error; {100 * confidence:g} % confidence for all together)"
+            f"{letter} against {letters[0]}: {counts[AGREE]} agree, {counts[DIFFER]} differ, {counts[UNJUDGED]} "
+            f"not judged (difference over its standard error; {100 * confidence:g} % confidence for all together)"
         )
     return lines

@@ -25,7 +25,7 @@ DATA = ("position", "velocity", "diameter")
 
 @dataclass(frozen=True)
 class Quantity:
-    """A number to be shown and compared; `mean` None where there is nothing to take it of. `shown_times`: factor of the table."""
+    """A number to be shown and compared; `mean` None: there is nothing to take it of. `shown_times`: for the table."""
 
     name: str
     unit: str
@@ -112,7 +112,8 @@ def measure(run, scene, chosen, series_chosen, progress=None):
     times = rows.time
     report = RunReport(len(times), float(times[0]), float(times[-1]))
     if (spread := uneven(times)) is not None:
-        report.notes.append(f"snapshots are {spread[0]:.4g} to {spread[1]:.4g} s apart; means are over samples, not over time")
+        apart = f"{spread[0]:.4g} to {spread[1]:.4g} s apart"
+        report.notes.append(f"snapshots are {apart}; means are over samples, not over time")
     if scene.windows:
         _windows(report, scene.windows, rows)
     if scene.overlaps:
@@ -126,7 +127,9 @@ def measure(run, scene, chosen, series_chosen, progress=None):
 def _measure_snapshot(position, velocity, diameter, scene, rows):
     rows.add(spheres=len(diameter))
     if scene.windows:
-        moments = [bed_statistics.window_moments(position, velocity, scene.windows, depth == "front_slice") for depth in DEPTHS]
+        moments = (
+            bed_statistics.window_moments(position, velocity, scene.windows, depth == "front_slice") for depth in DEPTHS
+        )
         number, sums, temperatures = zip(*moments)
         rows.add(number=number, sums=sums, temperatures=temperatures)
     if scene.overlaps:
@@ -139,14 +142,15 @@ def _measure_snapshot(position, velocity, diameter, scene, rows):
         solid, outside = bed_statistics.solid_fraction(position, diameter, scene.voidage.mesh)
         voidage = 1 - solid.ravel()
         edges = numpy.linspace(scene.voidage.lowest, scene.voidage.highest, scene.voidage.bins + 1)
-        rows.add(voidage_counts=_counted(voidage, edges), limit_counts=_counted(voidage, scene.voidage.limits), outside=outside)
+        counts = _counted(voidage, edges)
+        rows.add(voidage_counts=counts, limit_counts=_counted(voidage, scene.voidage.limits), outside=outside)
 
 
 def _counted(values, edges):
     """Numbers of values below the first edge, between them, and above the last: [len(edges) + 1].
 
-    A value on an edge belongs to the bin above, but on the last one to the bin below it where there are bins: a voidage of 1
-    is no more than the histogram's end. Round-off of an empty cell is not below 1.
+    A value on an edge belongs to the bin above, on the last one to the bin below it (if there is one): a voidage of 1 is
+    no more than the histogram's end.
     """
     edges = numpy.asarray(edges, dtype=float)
     counts = numpy.bincount(numpy.searchsorted(edges, values, side="right"), minlength=len(edges) + 1)
@@ -195,7 +199,8 @@ def _overlaps(report, wanted, rows):
             edges[filled[0]:filled[-1] + 2], share[kept], numpy.full(len(share[kept]), math.nan), 0.0, 0.0
         )
     for at, share in enumerate(wanted.shares):
-        report.overlaps.append(Quantity(f"overlaps below {100 * share:g} % d", "%", _ratio(rows.below[:, at], pairs), 100))
+        mean = _ratio(rows.below[:, at], pairs)
+        report.overlaps.append(Quantity(f"overlaps below {100 * share:g} % d", "%", mean, 100))
     for level in wanted.percentiles:
         mean = statistics.quantile_with_error(counts, edges, level / 100) if pairs.any() else None
         report.overlaps.append(Quantity(f"overlap, percentile {level:g}", "% d", mean, 100))
@@ -216,7 +221,8 @@ def _voidage(report, wanted, rows):
     for name, column in zip(names, rows.limit_counts.T):
         report.voidages.append(Quantity(name, "% of cells", statistics.mean_with_error(column / cells), 100))
     if rows.outside.any():
-        report.notes.append(f"spheres with their centre outside the mesh, left out of the voidage: up to {rows.outside.max()} at a time")
+        most = rows.outside.max()
+        report.notes.append(f"spheres with their centre outside the mesh, left out of the voidage: up to {most} at a time")
 
 
 def _series(report, run, chosen):
@@ -237,7 +243,8 @@ def _series(report, run, chosen):
     values = {name: column[inside] for name, column in columns.items()}
     spread = uneven(times)
     if spread:
-        report.notes.append(f"/series is {spread[0]:.4g} to {spread[1]:.4g} s apart; means are over samples, not over time")
+        apart = f"{spread[0]:.4g} to {spread[1]:.4g} s apart"
+        report.notes.append(f"rows of /series are {apart}; means are over samples, not over time")
     for name, unit in (("pressure_drop", "Pa"), ("bed_height", "m"), ("kinetic_energy", "J")):
         if name not in values or not numpy.isfinite(values[name]).all():
             report.notes.append(f"/series/{name}: " + ("NaN or infinite values" if name in values else "not there"))

@@ -148,8 +148,8 @@ def mean_with_error(series):
 def ratio_with_error(above, below):
     """`Mean` of sum(above) / sum(below), two series [n] of one time, such as summed velocity over number.
 
-    The error is that of the mean of (above - ratio below) / mean(below), the ratio to first order in its
-    deviations (W. G. Cochran, Sampling Techniques, 1977, sec. 2.11), its autocorrelation taken in. sum(below) = 0: ValueError.
+    The error is that of the mean of (above - ratio below) / mean(below), the ratio to first order in its deviations
+    (W. G. Cochran, Sampling Techniques, 1977, sec. 2.11), its autocorrelation taken in. sum(below) = 0: ValueError.
     """
     above, below = numpy.asarray(above, dtype=float), numpy.asarray(below, dtype=float)
     if not below.sum():
