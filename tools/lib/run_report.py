@@ -245,6 +245,8 @@ def _series(report, run, chosen):
     if spread:
         apart = f"{spread[0]:.4g} to {spread[1]:.4g} s apart"
         report.notes.append(f"rows of /series are {apart}; means are over samples, not over time")
+    if report.last - times[-1] > 1.5 * numpy.diff(times).max(initial=0.0):
+        report.notes.append(f"rows of /series end at {times[-1]:.4g} s, before the snapshots: what comes from them is of less time")
     for name, unit in (("pressure_drop", "Pa"), ("bed_height", "m"), ("kinetic_energy", "J")):
         if name not in values or not numpy.isfinite(values[name]).all():
             report.notes.append(f"/series/{name}: " + ("NaN or infinite values" if name in values else "not there"))

@@ -140,8 +140,11 @@ def mean_with_error(series):
     freedom = max(2 / scatter - 1, 0.0)
     effective = (deviation / error) ** 2
     reason = ""
-    if freedom < MINIMUM_FREEDOM or effective < 2 * MINIMUM_FREEDOM:
+    if effective < 2 * MINIMUM_FREEDOM:
         reason = f"worth {effective:.2g} independent samples only: it drifts, or is too short for its slow motion"
+    elif freedom < MINIMUM_FREEDOM:
+        reason = (f"too short for its autocorrelation to be known: the error has {freedom:.2g} degrees of freedom, "
+                  f"at least {MINIMUM_FREEDOM:g} are needed")
     return Mean(value, error, deviation, count, effective, freedom, count / effective / 2, reason)
 
 
