@@ -5,8 +5,6 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "error.h"
-
 #ifndef TEST_PLUGIN_NAME
 #define TEST_PLUGIN_NAME "kick"
 #endif
