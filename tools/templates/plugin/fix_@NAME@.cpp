@@ -38,8 +38,8 @@ int Fix@CLASS@::setmask() { return LAMMPS_NS::FixConst::POST_FORCE; }
 void Fix@CLASS@::init()
 {
     if (!atom->sphere_flag) error->all(FLERR, "fix @NAME@/spheres needs spheres: atom_style granular");
-    // The dashpot needs the velocities of ghosts: copies of spheres that belong to other ranks, or to the other side of a
-    // periodic box.
+    // The dashpot needs the velocities of ghosts: copies of spheres that belong to other ranks, or to the other side of
+    // a periodic box.
     if (!comm->ghost_velocity) error->all(FLERR, "fix @NAME@/spheres needs: communicate single vel yes");
 
     largest_radius_ = 0;
@@ -69,8 +69,8 @@ void Fix@CLASS@::post_force(int)
     if (largest_radius_ == 0) return;
     cells_.sort(x, atom->nlocal + atom->nghost, 2 * largest_radius_);
 
-    // Every rank computes the force on its own spheres, so a pair is seen twice, with the same numbers and opposite signs:
-    // momentum is conserved, on however many ranks.
+    // Every rank computes the force on its own spheres, so a pair is seen twice, with the same numbers and opposite
+    // signs: momentum is conserved, on however many ranks.
     for (int i = 0; i < atom->nlocal; ++i) {
         if (!(atom->mask[i] & groupbit)) continue;
         cells_.near(x[i], [&](int j) {

@@ -5,8 +5,8 @@
 
 #include "cells.hpp"
 
-/// The fix style `@NAME@/spheres`: frictionless spheres that push each other apart while they overlap, by a spring and a
-/// dashpot along the line of their centres, and so do the faces of the box that are not periodic:
+/// The fix style `@NAME@/spheres`: frictionless spheres that push each other apart while they overlap, by a spring and
+/// a dashpot along the line of their centres, and so do the faces of the box that are not periodic:
 ///
 ///     fix ID group @NAME@/spheres stiffness K restitution E        K [N/m], E from 0 (excluded) to 1
 ///
@@ -25,10 +25,10 @@ private:
     double push(double overlap, double approach, double mass) const;
     void push_off_walls(int i);
 
-    double stiffness_ = 0;    // [N/m]
-    double log_e_ = 0;        // ln(restitution)
-    double damping_ = 0;      // of the dashpot, in sqrt(stiffness * mass)
-    double step_limit_ = 0;   // [s]
+    double stiffness_ = 0;   // [N/m]
+    double log_e_ = 0;       // ln(restitution)
+    double damping_ = 0;     // of the dashpot, in sqrt(stiffness * mass)
+    double step_limit_ = 0;  // [s]
     double largest_radius_ = 0;
     Cells cells_;
 };
