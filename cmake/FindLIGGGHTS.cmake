@@ -2,7 +2,7 @@
 #[[
 LIGGGHTS as a library: Debian's package, or what -DLIGGGHTS_ROOT=<folder> points to (an installation with
 include/liggghts and lib, or a source tree built as a shared library: its src folder).
-Makes LIGGGHTS::liggghts. Neither SUPERQUADRIC_ACTIVE_FLAG nor LIGGGHTS_DEBUG may be defined for a library that
+Makes LIGGGHTS::liggghts, which defines INTERPHASE_LIGGGHTS_VERSION, a string. Neither SUPERQUADRIC_ACTIVE_FLAG nor LIGGGHTS_DEBUG may be defined for a library that
 was built without them: they change the layout of its classes.
 ]]
 
@@ -29,6 +29,7 @@ if(LIGGGHTS_FOUND AND NOT TARGET LIGGGHTS::liggghts)
     add_library(LIGGGHTS::liggghts SHARED IMPORTED GLOBAL)
     set_target_properties(LIGGGHTS::liggghts PROPERTIES
         IMPORTED_LOCATION "${LIGGGHTS_LIBRARY}"
-        INTERFACE_INCLUDE_DIRECTORIES "${LIGGGHTS_INCLUDE_DIR}")
+        INTERFACE_INCLUDE_DIRECTORIES "${LIGGGHTS_INCLUDE_DIR}"
+        INTERFACE_COMPILE_DEFINITIONS "INTERPHASE_LIGGGHTS_VERSION=\"${LIGGGHTS_VERSION}\"")
     target_link_libraries(LIGGGHTS::liggghts INTERFACE MPI::MPI_CXX)
 endif()

@@ -24,6 +24,15 @@ const char* gas_description(const Settings& settings)
     return "";
 }
 
+/// "hard_sphere (/path/libhard_sphere.so: tdhs, wall/tdhs)", or "none".
+std::string described(const std::vector<LoadedPlugin>& plugins)
+{
+    std::string all;
+    for (const LoadedPlugin& plugin : plugins)
+        all += (all.empty() ? "" : ", ") + plugin.name + " (" + plugin.file + ": " + listed(plugin.styles) + ")";
+    return all.empty() ? "none" : all;
+}
+
 ParticleRows rows_of(const ParticleView& particles)
 {
     const std::size_t n = particles.size();
@@ -68,30 +77,54 @@ CoupledRun::CoupledRun(int& argc, char**& argv)
 
 LockstepClock CoupledRun::choose_clock() const
 {
-    const std::optional<double> contact = solids_->contact_duration();
-    constexpr double least_steps = 10;  // per collision; 10 to 60 are usual (paper, section 4.6)
     if (settings_.solid_step > 0) {
-        if (contact && settings_.solid_step > *contact / least_steps * (1 + 1e-9))
-            throw UserError("the solid step of " + text(settings_.solid_step) +
-                                " s is too long for the contact model: its shortest "
-                                "collision lasts t_c = " +
-                                text(*contact) + " s",
-                            "system/couplingDict.particles, solidStep",
-                            "give at most t_c/" + text(least_steps) + " = " + text(*contact / least_steps) +
-                                " s (t_c/20 is a good start), or make the contacts softer");
-        if (settings_.solid_step > case_.gas_step() * (1 + 1e-9))
-            throw UserError("the solid step of " + text(settings_.solid_step) + " s is longer than the gas step of " +
-                                text(case_.gas_step()) + " s",
-                            "solidStep in system/couplingDict, deltaT in system/controlDict",
-                            "make deltaT a multiple of it");
+        check_given_step();
         return LockstepClock(settings_.solid_step);
     }
-    if (!contact)
+    const double longest = std::min(longest_solid_step(), solids_->step_limit().value_or(1e300));
+    const double gas_step = case_.gas_step();
+    return LockstepClock(case_.adjusts_gas_step() ? std::min(longest, gas_step) : dividing_step(gas_step, longest));
+}
+
+void CoupledRun::check_given_step() const
+{
+    const std::optional<double> contact = solids_->contact_duration(), limit = solids_->step_limit();
+    const double step = settings_.solid_step;
+    constexpr double slack = 1 + 1e-9;
+    constexpr double least_steps = 10;  // per collision; 10 to 60 are usual (paper, section 4.6)
+    if (resolves_contacts(settings_.method) && contact && step > *contact / least_steps * slack)
+        throw UserError("the solid step of " + text(step) +
+                            " s is too long for the contact model: its shortest "
+                            "collision lasts t_c = " +
+                            text(*contact) + " s",
+                        "system/couplingDict.particles, solidStep",
+                        "give at most t_c/" + text(least_steps) + " = " + text(*contact / least_steps) +
+                            " s (t_c/20 is a good start), or make the contacts softer");
+    if (limit && step > *limit * slack)
+        throw UserError("the solid step of " + text(step) + " s is longer than the " + text(*limit) +
+                            " s that a fix of the plug-ins bears",
+                        "system/couplingDict.particles, solidStep", "give at most that, or leave solidStep away");
+    if (step > case_.gas_step() * slack)
+        throw UserError(
+            "the solid step of " + text(step) + " s is longer than the gas step of " + text(case_.gas_step()) + " s",
+            "solidStep in system/couplingDict, deltaT in system/controlDict", "make deltaT a multiple of it");
+}
+
+double CoupledRun::longest_solid_step() const
+{
+    if (settings_.largest_overlap > 0)
+        return settings_.largest_overlap * solids_->smallest_diameter() / settings_.impact_speed;
+    if (const std::optional<double> contact = solids_->contact_duration())
+        return *contact / settings_.steps_per_collision;
+    if (const std::optional<double> limit = solids_->step_limit()) return *limit;
+    if (resolves_contacts(settings_.method))
         throw UserError("the contact model gives no collision time to derive the solid step from",
                         "system/couplingDict.particles",
                         "give `solidStep` in seconds (known: pair gran model hooke/stiffness)");
-    const double longest = *contact / settings_.steps_per_collision;
-    return LockstepClock(case_.adjusts_gas_step() ? longest : dividing_step(case_.gas_step(), longest));
+    throw UserError(
+        "the script gives no stiffness and restitution to derive the solid step from", "system/couplingDict.particles",
+        "give `largestOverlap 0.01; impactSpeed 0.3;` with numbers of your scene, or `solidStep` in seconds, or "
+        "in the script fixes property/global kn and coefficientRestitution of a DEM with such overlaps");
 }
 
 void CoupledRun::refuse_empty_scene() const
@@ -122,6 +155,7 @@ void CoupledRun::describe_run()
                   {"case", case_.name()},
                   {"method", name_of(settings_.method) + ", weight " + text(settings_.weight) + ", " +
                                  std::to_string(count) + " tracked"},
+                  {"plug-ins", described(solids_->plugins())},
                   {"gas", std::string(gas_description(settings_)) + (gas_ ? ", drag " + settings_.drag_law : "")},
                   {"steps", "gas " + text(gas_step_) + " s" + (case_.adjusts_gas_step() ? " at first" : "") +
                                 ", solids " + text(clock_.solid_step()) + " s" +
@@ -131,6 +165,7 @@ void CoupledRun::describe_run()
     Results& meta = *results_;
     meta.describe("/meta", "case", case_.name());
     meta.describe("/meta", "method", name_of(settings_.method));
+    meta.describe("/meta", "plugins", described(solids_->plugins()));
     meta.describe("/meta", "weight", settings_.weight);
     meta.describe("/meta", "ranks", comm_.size());
     meta.describe("/meta", "particles", static_cast<double>(count));

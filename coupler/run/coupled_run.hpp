@@ -27,6 +27,8 @@ private:
     void refuse_empty_scene() const;
     void check_scene() const;
     LockstepClock choose_clock() const;
+    void check_given_step() const;
+    double longest_solid_step() const;
     void describe_run();
     void step();
     double wanted_gas_step() const;

@@ -9,7 +9,9 @@
 
 namespace interphase {
 
-enum class Method { dem, cgpm };
+/// Who handles collisions: LIGGGHTS's pair styles (dem, cgpm), hard spheres of a plug-in (tdhs, cghs), or whatever a
+/// user's own plug-in does (plugin).
+enum class Method { dem, cgpm, tdhs, cghs, plugin };
 enum class GasModel { pimple, frozen, none };
 enum class MappingType { kernel, cell_centre };
 enum class OutsideMesh { stop, ignore };
@@ -17,12 +19,15 @@ enum class OutsideMesh { stop, ignore };
 /// What system/couplingDict asks for. Lengths in m, times in s, pressures in Pa.
 struct Settings {
     Method method = Method::dem;
-    double weight = 1;  ///< real particles per tracked one, >= 1
+    double weight = 1;                 ///< real particles per tracked one, >= 1
+    std::vector<std::string> plugins;  ///< names or paths of plug-ins with fix styles for the script
 
     std::string script;                                          ///< LIGGGHTS script, relative to the case
     std::vector<std::pair<std::string, std::string>> variables;  ///< handed to the script
-    double solid_step = 0;                                       ///< given solid step [s]; 0: from steps_per_collision
+    double solid_step = 0;                                       ///< given solid step [s]; 0: derived
     double steps_per_collision = 20;                             ///< S: solid step = t_c / S
+    double largest_overlap = 0;  ///< [tracked diameter]; above 0: solid step = that overlap at impact_speed
+    double impact_speed = 0;     ///< [m/s]
 
     GasModel gas = GasModel::pimple;
     bool two_way = true;  ///< whether the particles act on the gas
@@ -40,5 +45,9 @@ struct Settings {
 };
 
 std::string name_of(Method method);
+
+bool resolves_contacts(Method method);  ///< over many solid steps each, as springs and dashpots need it
+bool tracks_parcels(Method method);     ///< so that a weight above 1 has a meaning
+bool is_hard_sphere(Method method);
 
 }  // namespace interphase

@@ -112,6 +112,9 @@ class Bench(unittest.TestCase):
         self.assertFalse(os.path.exists(self.calls), "a program was started before the refusal")
         return done.stderr
 
+    def name_plugins(self, plugins):
+        write(os.path.join(self.case, "system/couplingDict"), COUPLING + f"plugins {plugins};\n")
+
     def called(self):
         return [line.split()[0] for line in read(self.calls).splitlines()] if os.path.exists(self.calls) else []
 
@@ -165,10 +168,23 @@ class Refusals(Bench):
                 self.assertIn("at least 1 real particle", self.refused("bed", "--weight=" + weight))
         self.assertIn("no number", self.refused("bed", "--weight", "many"))
 
-    def test_plug_in_methods(self):
-        for method in ("TDHS", "CGHS", "MPPIC", "mp-pic"):
+    def test_methods_that_are_not_there(self):
+        for method in ("MPPIC", "mp-pic"):
             with self.subTest(method):
-                self.assertIn("come as plug-ins and are not part of this version", self.refused("bed", "--method", method))
+                self.assertIn("MPPIC is not part of this version; it has DEM, CGPM", self.refused("bed", "--method", method))
+
+    def test_methods_of_plug_ins_without_one(self):
+        for method, name in (("TDHS", "hard_sphere"), ("cghs", "hard_sphere"), ("PLUGIN", "NAME")):
+            with self.subTest(method):
+                message = self.refused("bed", "--method", method)
+                self.assertIn("the case names none", message)
+                self.assertIn(f"add `plugins ({name});` to its system/couplingDict", message)
+
+    def test_hard_spheres_with_parcels(self):
+        self.name_plugins("(hard_sphere)")
+        message = self.refused("bed", "--method", "TDHS", "--weight", "8")
+        self.assertIn("--weight 8 does not go with method TDHS", message)
+        self.assertIn("--method CGHS for parcels", message)
 
     def test_a_mistyped_method(self):
         self.assertIn("did you mean 'CGPM'?", self.refused("bed", "--method", "CGMP"))
@@ -251,6 +267,24 @@ class Settings(Bench):
     def test_method_dem_alone_says_weight_one(self):
         self.succeed("bed", "--method", "dem")
         self.assertEqual(read(self.out, "parameters"), PARAMETERS.replace("CGPM; ", "DEM; ", 1).replace("8;", "1;"))
+
+    def test_method_tdhs_alone_says_weight_one(self):
+        self.name_plugins("(hard_sphere)")
+        self.succeed("bed", "--method", "tdhs")
+        self.assertEqual(read(self.out, "parameters"), PARAMETERS.replace("CGPM; ", "TDHS; ", 1).replace("8;", "1;"))
+
+    def test_parcels_of_plug_ins_keep_the_weight_of_the_case(self):
+        self.name_plugins("(hard_sphere)")
+        for method in ("CGHS", "PLUGIN"):
+            self.succeed("bed", "--method", method, "--overwrite")
+            self.assertEqual(read(self.out, "parameters"), PARAMETERS.replace("CGPM; ", f"{method}; ", 1))
+
+    def test_plug_ins_outside_the_case_are_found_from_the_run_s_folder(self):
+        """Names, absolute paths and files of the case itself, which come along, stay as they are."""
+        self.name_plugins('(hard_sphere "../build/libmine.so" "/opt/libyours.so" "lib/libours.so")')
+        self.succeed("bed")
+        written = foam_file.value(read(self.out, "system/couplingDict"), "plugins")
+        self.assertEqual(written, f'(hard_sphere "{self.root}/build/libmine.so" "/opt/libyours.so" "lib/libours.so")')
 
     def test_cgpm_keeps_the_weight_of_the_case(self):
         self.succeed("bed", "--method", "CGPM")

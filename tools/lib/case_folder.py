@@ -19,8 +19,9 @@ LEFT_BY_A_RUN = (
     "results.h5", "particles.h5", "particles.xdmf", "bed.png", "report.png", "frames",
 )
 
-BUILT_IN_METHODS = ("DEM", "CGPM")
-PLUGIN_METHODS = ("TDHS", "CGHS", "MPPIC")
+METHODS = ("DEM", "CGPM", "TDHS", "CGHS", "PLUGIN")
+OF_PARTICLES = ("DEM", "TDHS")  # every particle is tracked: W = 1
+OF_PLUGINS = ("TDHS", "CGHS", "PLUGIN")  # collisions come from a fix style that `plugins` brings
 
 
 class CaseError(Exception):
@@ -149,13 +150,10 @@ class Dictionaries:
 def checked_method(name):
     """`dem` -> `DEM`; CaseError for a method that this version does not have."""
     method = name.upper().replace("-", "")
-    if method in PLUGIN_METHODS:
-        raise CaseError(
-            f"method {method}: TDHS, CGHS and MPPIC come as plug-ins and are not part of this version; "
-            f"it has {' and '.join(BUILT_IN_METHODS)}"
-        )
-    if method not in BUILT_IN_METHODS:
-        raise CaseError(f"method '{name}' is unknown: {nearest(method, BUILT_IN_METHODS)}")
+    if method == "MPPIC":
+        raise CaseError(f"method {method} is not part of this version; it has {', '.join(METHODS)}")
+    if method not in METHODS:
+        raise CaseError(f"method '{name}' is unknown: {nearest(method, METHODS)}")
     return method
 
 
@@ -173,25 +171,45 @@ def checked_weight(text):
 def set_method_and_weight(case, method=None, weight=None):
     """Write what the user chose into the case; returns (method, weight as a number), which agree.
 
-    DEM tracks every particle, so W is 1; `--method DEM` alone says so too. The weight of a CGPM run that
+    DEM and TDHS track every particle, so W is 1; `--method DEM` alone says so too. The weight of a run with parcels that
     names none is the case's.
     """
     chosen = checked_method(method or case.value(COUPLING, "method", "DEM"))
+    of_particles = chosen in OF_PARTICLES
     w = weight
     if w is None:
-        w = "1" if method and chosen == "DEM" else case.value(COUPLING, "weight", "1")
+        w = "1" if method and of_particles else case.value(COUPLING, "weight", "1")
     number = checked_weight(w)
-    if chosen == "DEM" and number != 1:
+    if of_particles and number != 1:
         where = f"--weight {w}" if weight is not None else f"weight {w} of the case"
         raise CaseError(
-            f"{where} does not go with method DEM, which tracks every particle (W = 1): "
-            f"take --method CGPM for parcels, or --weight 1"
+            f"{where} does not go with method {chosen}, which tracks every particle (W = 1): "
+            f"take --method {'CGPM' if chosen == 'DEM' else 'CGHS'} for parcels, or --weight 1"
+        )
+    if chosen in OF_PLUGINS and case.value(COUPLING, "plugins") in (None, "()"):
+        name = "NAME" if chosen == "PLUGIN" else "hard_sphere"
+        raise CaseError(
+            f"method {chosen} takes its collisions from a plug-in, and the case names none: "
+            f"add `plugins ({name});` to its {COUPLING}"
         )
     if method:
         case.set_at_source(COUPLING, "method", chosen)
-    if weight is not None or (method and chosen == "DEM" and case.value(COUPLING, "weight") is not None):
+    if weight is not None or (method and of_particles and case.value(COUPLING, "weight") is not None):
         case.set_at_source(COUPLING, "weight", w)
     return chosen, number
+
+
+def anchor_plugins(case):
+    """Plug-ins that the case names by a path out of its folder (`../build/libmine.so`) get it absolute: the run's folder,
+    where the program looks from, is another one."""
+    written = case.value(COUPLING, "plugins")
+    if written is None:
+        return
+    anchored = re.sub(
+        r'"(\.\./[^"]*)"', lambda path: '"' + os.path.normpath(os.path.join(case.folder, path[1])) + '"', written
+    )
+    if anchored != written:
+        case.set_at_source(COUPLING, "plugins", anchored)
 
 
 def set_number_of_subdomains(case, ranks):

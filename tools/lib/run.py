@@ -37,6 +37,7 @@ the same without tools/run, under mpirun, srun or your own script.
 
 environment:
   INTERPHASE_BIN   run this executable and set nothing up
+  INTERPHASE_PLUGIN_PATH   folders with plug-ins, separated by ':'
   WM_PROJECT_DIR   the OpenFOAM to use (default: Debian's, /usr/share/openfoam)
 
 exit code: the program's (0 only when the run reached its end); 2 where the command line or the case is refused;
@@ -49,8 +50,8 @@ def arguments():
         epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("case", metavar="CASE", nargs="?", help="a case folder, such as cases/sscp1")
-    parser.add_argument("--method", help="collision method, DEM or CGPM (default: the case's)")
-    parser.add_argument("--weight", metavar="W", help="real particles per parcel, 1 for DEM (default: the case's)")
+    parser.add_argument("--method", help=f"collision method: {', '.join(case_folder.METHODS)} (default: the case's)")
+    parser.add_argument("--weight", metavar="W", help="real particles per parcel, 1 for DEM and TDHS (default: the case's)")
     parser.add_argument("--ranks", metavar="N", type=int, default=1, help="MPI ranks (default: 1)")
     parser.add_argument("--until", metavar="T", help="simulated time to end at, in s (default: the case's)")
     parser.add_argument(
@@ -228,6 +229,7 @@ def main():
     case_path = case_folder.checked_case(given.case, cases())
     case = case_folder.Dictionaries(case_path)
     method, weight = apply_settings(case, given)
+    case_folder.anchor_plugins(case)
     if given.ranks > 1:
         case_folder.set_number_of_subdomains(case, given.ranks)
     name = os.path.basename(case_path)

@@ -3,6 +3,8 @@
 
 #include <mpi.h>
 
+#include <limits>
+
 #include "atom.h"
 #include "base/text.hpp"
 #include "engines/liggghts/pair_property.hpp"
@@ -16,6 +18,7 @@ struct Demand {
     const char* property;
     bool zero_is_fine;
     const char* meaning;
+    double most = std::numeric_limits<double>::max();
 };
 
 constexpr Demand demands[] = {
@@ -26,6 +29,7 @@ constexpr Demand demands[] = {
     {"gammat_abs", true, "collisions would gain energy, as with a tangential restitution above 1"},
     {"gammat", true, "collisions would gain energy, as with a tangential restitution above 1"},
     {"coefficientFriction", true, "a friction coefficient must not be below 0"},
+    {"coefficientRestitution", true, "a coefficient of restitution is a number from 0 to 1", 1},
 };
 
 }  // namespace
@@ -38,7 +42,7 @@ std::optional<std::string> unphysical_contact(LAMMPS_NS::LAMMPS& lmp)
         for (int i = 0; i < lmp.atom->ntypes; ++i)
             for (int j = 0; j < lmp.atom->ntypes; ++j) {
                 const double value = values[i][j];
-                if (value > 0 || (value == 0 && demand.zero_is_fine)) continue;
+                if ((value > 0 || (value == 0 && demand.zero_is_fine)) && value <= demand.most) continue;
                 return "the property " + std::string(demand.property) + " is " + text(value) + " between types " +
                        std::to_string(i + 1) + " and " + std::to_string(j + 1) + ": " + demand.meaning;
             }

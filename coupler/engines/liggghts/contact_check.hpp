@@ -12,7 +12,7 @@ namespace interphase {
 
 /// What is wrong with the spring and dashpot that the script gives to the pair model hooke/stiffness, if anything:
 /// negative damping (restitution above 1), a spring that pulls. LIGGGHTS checks restitution only where it is given as
-/// such.
+/// such and a pair style of its own uses it.
 std::optional<std::string> unphysical_contact(LAMMPS_NS::LAMMPS& lmp);
 
 }  // namespace interphase

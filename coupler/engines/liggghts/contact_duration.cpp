@@ -30,27 +30,56 @@ std::vector<double> lightest_of_each_type(LAMMPS_NS::LAMMPS& lmp)
     return lightest;
 }
 
+/// How long two bodies of effective mass m [kg] touch [s]; 0 where they never part.
+class Contact {
+public:
+    explicit Contact(LAMMPS_NS::LAMMPS& lmp)
+        : stiffness_(pair_property(lmp, "kn")),
+          restitution_(lmp.force->pair ? nullptr : pair_property(lmp, "coefficientRestitution")),
+          absolute_(pair_property(lmp, "gamman_abs")),
+          per_mass_(pair_property(lmp, "gamman"))
+    {}
+
+    bool is_known() const { return stiffness_ && (restitution_ || absolute_ || per_mass_); }
+
+    double duration(int i, int j, double m) const
+    {
+        const double k = stiffness_[i][j];
+        if (restitution_) {
+            // e = 0 would last for ever; taken as undamped it asks for the shortest step that any e does
+            const double log_e = restitution_[i][j] > 0 ? std::log(restitution_[i][j]) : 0;
+            return std::sqrt(m / k * (M_PI * M_PI + log_e * log_e));
+        }
+        const double half_rate = absolute_ ? absolute_[i][j] / (2 * m) : per_mass_[i][j] / 2;
+        const double squared = k / m - half_rate * half_rate;
+        return squared > 0 ? M_PI / std::sqrt(squared) : 0;
+    }
+
+private:
+    const double* const* stiffness_;
+    const double* const* restitution_;
+    const double* const* absolute_;
+    const double* const* per_mass_;
+};
+
 }  // namespace
 
 std::optional<double> shortest_contact(LAMMPS_NS::LAMMPS& lmp)
 {
-    const auto* stiffness = pair_property(lmp, "kn");
-    const auto* absolute = pair_property(lmp, "gamman_abs");
-    const auto* per_mass = pair_property(lmp, "gamman");
-    if (!lmp.force->pair || !stiffness || (!absolute && !per_mass)) return std::nullopt;
+    const Contact contact(lmp);
+    if (!contact.is_known()) return std::nullopt;
 
     const std::vector<double> mass = lightest_of_each_type(lmp);
-    double shortest = std::numeric_limits<double>::max();
+    constexpr double none = std::numeric_limits<double>::max();
+    double shortest = none;
     for (int i = 0; i < lmp.atom->ntypes; ++i)
         for (int j = 0; j < lmp.atom->ntypes; ++j) {
             const double mi = mass[static_cast<std::size_t>(i)], mj = mass[static_cast<std::size_t>(j)];
-            if (std::max(mi, mj) == std::numeric_limits<double>::max()) continue;
-            const double m = mi * mj / (mi + mj);
-            const double half_rate = absolute ? absolute[i][j] / (2 * m) : per_mass[i][j] / 2;
-            const double squared = stiffness[i][j] / m - half_rate * half_rate;
-            if (squared > 0) shortest = std::min(shortest, M_PI / std::sqrt(squared));
+            if (std::max(mi, mj) == none) continue;
+            const double duration = contact.duration(i, j, mi * mj / (mi + mj));
+            if (duration > 0) shortest = std::min(shortest, duration);
         }
-    if (shortest == std::numeric_limits<double>::max()) return std::nullopt;
+    if (shortest == none) return std::nullopt;
     return shortest;
 }
 

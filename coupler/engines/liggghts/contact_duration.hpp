@@ -9,10 +9,12 @@ class LAMMPS;
 
 namespace interphase {
 
-/// The shortest collision t_c [s] between the particles that exist, for the pair model hooke/stiffness, whose stiffness
-/// and damping are read from the script's property/global fixes: t_c = pi / sqrt(k/m - (gamma/2m)^2), m the effective
-/// mass, which is sqrt(m/k (pi^2 + ln^2 e)), eq. 23 of the paper. Empty for other contact models, whose collision time
-/// depends on the impact speed. Collective.
+/// The shortest collision t_c [s] between the particles that exist, sqrt(m/k (pi^2 + ln^2 e)), eq. 23 of the paper, m
+/// the effective mass. The numbers come from the script's property/global fixes. With a pair style: for the model
+/// hooke/stiffness (kn and gamman_abs or gamman: t_c = pi / sqrt(k/m - (gamma/2m)^2), which is the same); empty for
+/// others, whose collision time depends on the impact speed. Without one (hard spheres): of DEM with the stiffness kn
+/// and the restitution coefficientRestitution (or those dampings), whose overlaps the hard spheres are to have.
+/// Collective.
 std::optional<double> shortest_contact(LAMMPS_NS::LAMMPS& lmp);
 
 }  // namespace interphase

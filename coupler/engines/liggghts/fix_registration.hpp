@@ -25,6 +25,11 @@ template struct FixMapAccess<&LAMMPS_NS::Modify::fix_map>;
 
 }  // namespace detail
 
+inline bool knows_fix_style(LAMMPS_NS::Modify& modify, const std::string& name)
+{
+    return detail::fix_map_of(modify)->count(name) > 0;
+}
+
 /// Makes a fix style known to this LIGGGHTS. Returns false where the name is taken.
 inline bool register_fix_style(LAMMPS_NS::Modify& modify, const std::string& name, FixCreator create)
 {

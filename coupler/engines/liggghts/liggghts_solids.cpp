@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engines/liggghts/liggghts_solids.hpp"
 
+#include <algorithm>
 #include <climits>
 #include <cstdio>
+#include <limits>
 
 #include "atom.h"
 #include "base/text.hpp"
@@ -13,7 +15,9 @@
 #include "engines/liggghts/fix_fluid.hpp"
 #include "engines/liggghts/fix_registration.hpp"
 #include "engines/liggghts/last_words.hpp"
+#include "engines/liggghts/plugin.hpp"
 #include "fix_gravity.h"
+#include "force.h"
 #include "integrate.h"
 #include "lammps.h"
 #include "library.h"
@@ -49,10 +53,12 @@ LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& setting
     lammps_open(static_cast<int>(argv.size()), argv.data(), comm_.handle(), &handle);
     lmp_ = static_cast<LAMMPS_NS::LAMMPS*>(handle);
     if (!lmp_->screen) lmp_->screen = LastWords::of_rank_without_log();
+    plugins_ = load_plugins(comm_, *lmp_, settings.plugins, "system/couplingDict, plugins");
     lammps_file(lmp_, settings.script.c_str());
 
     refuse_unusable_scene();
-    contact_duration_ = shortest_contact(*lmp_);
+    if (lmp_->force->pair || !resolves_contacts(settings.method)) contact_duration_ = shortest_contact(*lmp_);
+    step_limit_ = ask_for_step_limit();
 }
 
 LiggghtsSolids::~LiggghtsSolids() { lammps_close(lmp_); }
@@ -75,7 +81,59 @@ void LiggghtsSolids::refuse_unusable_scene() const
         throw UserError(*problem, script + ", fix property/global",
                         "correct the property, or the numbers that the script makes it from (particles/variables in "
                         "system/couplingDict)");
+    refuse_doubtful_collisions();
     refuse_bodiless_particles();
+}
+
+bool LiggghtsSolids::is_of_plugin(const std::string& style) const
+{
+    return std::any_of(plugins_.begin(), plugins_.end(), [&](const LoadedPlugin& plugin) {
+        return std::find(plugin.styles.begin(), plugin.styles.end(), style) != plugin.styles.end();
+    });
+}
+
+void LiggghtsSolids::refuse_doubtful_collisions() const
+{
+    if (resolves_contacts(settings_.method)) return;
+    const std::string method = name_of(settings_.method);
+    const LAMMPS_NS::Modify& modify = *lmp_->modify;
+    if (std::none_of(modify.fix, modify.fix + modify.nfix,
+                     [&](const LAMMPS_NS::Fix* fix) { return is_of_plugin(fix->style); })) {
+        std::vector<std::string> styles;
+        for (const LoadedPlugin& plugin : plugins_)
+            styles.insert(styles.end(), plugin.styles.begin(), plugin.styles.end());
+        throw UserError("no fix of a plug-in is in the script, so with method " + method + " nothing would collide",
+                        settings_.script, "add a fix of one of these styles: " + listed(styles));
+    }
+    const std::string pair = lmp_->force->pair ? lmp_->force->pair_style : "";
+    if (is_hard_sphere(settings_.method) && pair.rfind("gran", 0) == 0)
+        throw UserError("the script has pair style " + pair + ", and method " + method +
+                            " collides hard spheres: each collision would count twice",
+                        settings_.script, "leave the pair style away for this method, or take DEM or CGPM");
+}
+
+std::optional<double> LiggghtsSolids::ask_for_step_limit() const
+{
+    constexpr double none = std::numeric_limits<double>::max();
+    double limit = none;
+    std::optional<std::string> problem;
+    for (int i = 0; i < lmp_->modify->nfix; ++i) {
+        LAMMPS_NS::Fix* fix = lmp_->modify->fix[i];
+        if (!is_of_plugin(fix->style)) continue;
+        int dimension = 0;
+        const auto* told = static_cast<const double*>(fix->extract(extract_solid_step_limit, dimension));
+        if (!told) continue;
+        if (!(*told > 0))
+            problem = std::string("fix ") + fix->id + " (" + fix->style +
+                      ") says that it bears a solid step of at most " + text(*told) +
+                      " s\n  where:  " + settings_.script + "\n  remedy: correct the plug-in's " +
+                      extract_solid_step_limit;
+        limit = std::min(limit, *told);
+    }
+    comm_.fail_together(problem);
+    limit = comm_.min(limit);
+    if (limit == none) return std::nullopt;
+    return limit;
 }
 
 void LiggghtsSolids::refuse_bodiless_particles() const
@@ -96,6 +154,14 @@ double LiggghtsSolids::largest_diameter() const
     for (int i = 0; i < lmp_->atom->nlocal; ++i)
         radius = std::max(radius, lmp_->atom->radius[i]);
     return 2 * comm_.max(radius);
+}
+
+double LiggghtsSolids::smallest_diameter() const
+{
+    double radius = std::numeric_limits<double>::max();
+    for (int i = 0; i < lmp_->atom->nlocal; ++i)
+        radius = std::min(radius, lmp_->atom->radius[i]);
+    return 2 * comm_.min(radius);
 }
 
 long LiggghtsSolids::total_count() const { return comm_.sum(static_cast<long>(lmp_->atom->nlocal)); }

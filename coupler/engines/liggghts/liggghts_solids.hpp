@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/communicator.hpp"
+#include "engines/liggghts/plugin_loader.hpp"
 #include "settings/settings.hpp"
 #include "step/solids.hpp"
 
@@ -27,8 +28,14 @@ public:
     /// The shortest collision time t_c [s], where the contact model tells.
     std::optional<double> contact_duration() const { return contact_duration_; }
 
-    double largest_diameter() const;  ///< of the tracked spheres [m]. Collective.
-    long total_count() const;         ///< Collective.
+    /// The longest step [s] that the plug-ins' fixes bear, where one tells (plugin.hpp).
+    std::optional<double> step_limit() const { return step_limit_; }
+
+    const std::vector<LoadedPlugin>& plugins() const { return plugins_; }
+
+    double largest_diameter() const;   ///< of the tracked spheres [m]. Collective.
+    double smallest_diameter() const;  ///< of the tracked spheres [m]. Collective.
+    long total_count() const;          ///< Collective.
 
     /// Sets the step [s] and readies the run of about `steps` steps, with or without a gas. Collective.
     void start(double solid_step, long steps, bool with_gas);
@@ -43,12 +50,16 @@ public:
 private:
     void refuse_unusable_scene() const;
     void refuse_bodiless_particles() const;
+    void refuse_doubtful_collisions() const;
+    bool is_of_plugin(const std::string& style) const;
+    std::optional<double> ask_for_step_limit() const;
 
     Communicator comm_;
     const Settings& settings_;
     LAMMPS_NS::LAMMPS* lmp_ = nullptr;
     FixFluid* fluid_ = nullptr;
-    std::optional<double> contact_duration_;
+    std::vector<LoadedPlugin> plugins_;
+    std::optional<double> contact_duration_, step_limit_;
     Vector gravity_ = Vector::Zero();
     bool may_remove_ = false;
 };

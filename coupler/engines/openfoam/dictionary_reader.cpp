@@ -57,6 +57,31 @@ std::string DictionaryReader::text_of(const std::string& key, const std::string&
     return dict_.get<Foam::string>(key, Foam::keyType::LITERAL);
 }
 
+std::vector<std::string> DictionaryReader::names(const std::string& key)
+{
+    std::vector<std::string> found;
+    if (!has(key)) return found;
+    const auto is = [](const Foam::token& token, Foam::token::punctuationToken mark) {
+        return token.isPunctuation() && token.pToken() == mark;
+    };
+    bool understood = !dict_.isDict(key);
+    std::string written = "{...}";
+    if (understood) {
+        Foam::ITstream& tokens = dict_.lookup(key, Foam::keyType::LITERAL);
+        written = tokens.toString();
+        const Foam::label last = tokens.size() - 1;
+        understood = last >= 1 && is(tokens[0], Foam::token::BEGIN_LIST) && is(tokens[last], Foam::token::END_LIST);
+        for (Foam::label i = 1; understood && i < last; ++i) {
+            understood = tokens[i].isWord() || tokens[i].isString();
+            if (understood) found.push_back(tokens[i].isWord() ? tokens[i].wordToken() : tokens[i].stringToken());
+        }
+    }
+    if (!understood)
+        throw complaint(key, "`" + key + " " + written + ";` is no list of names",
+                        "write `" + key + " (one \"another/one\");`");
+    return found;
+}
+
 DictionaryReader DictionaryReader::sub(const std::string& key)
 {
     const std::string path = path_ + "." + key;

@@ -28,6 +28,9 @@ public:
 
     std::string text_of(const std::string& key, const std::string& remedy);
 
+    /// A list of words and quoted texts in parentheses; empty where there is none.
+    std::vector<std::string> names(const std::string& key);
+
     /// A sub-dictionary; an empty one where there is none.
     DictionaryReader sub(const std::string& key);
 

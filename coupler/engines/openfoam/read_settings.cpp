@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engines/openfoam/read_settings.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "IFstream.H"
 #include "List.H"
 #include "OSspecific.H"
@@ -35,18 +38,65 @@ std::vector<std::string> scene_parameters(const Foam::fileName& root)
 
 void read_method(DictionaryReader& dict, Settings& settings)
 {
-    const std::string method = dict.choice("method", "DEM", {"DEM", "CGPM", "TDHS", "CGHS", "MPPIC"});
-    if (method != "DEM" && method != "CGPM")
-        throw dict.complaint("method",
-                             "`method " + method + ";` needs a collision style that this version does not have",
-                             "use DEM, or CGPM with a weight");
-    settings.method = method == "DEM" ? Method::dem : Method::cgpm;
+    constexpr Method methods[] = {Method::dem, Method::cgpm, Method::tdhs, Method::cghs, Method::plugin};
+    const std::string method = dict.choice("method", "DEM", {"DEM", "CGPM", "TDHS", "CGHS", "PLUGIN", "MPPIC"});
+    if (method == "MPPIC")
+        throw dict.complaint("method", "`method MPPIC;` needs a collision style that this version does not have",
+                             "use DEM or TDHS, or CGPM or CGHS with a weight");
+    settings.method =
+        *std::find_if(std::begin(methods), std::end(methods), [&](Method m) { return name_of(m) == method; });
     settings.weight = dict.number(
         "weight", 1, [](double w) { return w >= 1; }, "the real particles per tracked one, at least 1");
-    if (settings.method == Method::dem && settings.weight != 1)
-        throw dict.complaint("weight",
-                             "`weight " + text(settings.weight) + ";` with method DEM, which tracks real particles",
-                             "set `weight 1;`, or `method CGPM;`");
+    if (!tracks_parcels(settings.method) && settings.weight != 1)
+        throw dict.complaint(
+            "weight", "`weight " + text(settings.weight) + ";` with method " + method + ", which tracks real particles",
+            std::string("set `weight 1;`, or `method ") + (method == "DEM" ? "CGPM" : "CGHS") + ";`");
+}
+
+void read_plugins(DictionaryReader& dict, Settings& settings)
+{
+    for (Foam::string name : dict.names("plugins")) {
+        name.expand(true);  // $HOME, ~ and the like
+        settings.plugins.push_back(name);
+    }
+    const std::string method = name_of(settings.method);
+    if (resolves_contacts(settings.method) || !settings.plugins.empty()) return;
+    throw dict.complaint("method", "`method " + method + ";` takes its collisions from a plug-in, and none is named",
+                         is_hard_sphere(settings.method) ? "add `plugins (hard_sphere);`"
+                                                         : "add `plugins (NAME);` with the name or \"path\" of yours");
+}
+
+/// How long a solid step is: given, or by one of two rules.
+void read_solid_step(DictionaryReader& dict, Settings& settings)
+{
+    const bool resolved = resolves_contacts(settings.method);
+    if (is_hard_sphere(settings.method)) settings.steps_per_collision = 1;
+    settings.steps_per_collision = dict.number(
+        "stepsPerCollision", settings.steps_per_collision, [&](double s) { return resolved ? s >= 10 : s > 0; },
+        resolved ? "at least 10 (solid steps in which one collision is resolved; 10 to 60 are usual)"
+                 : "above 0 (solid steps in the time that DEM would take for one collision)");
+    settings.solid_step = dict.number("solidStep", 0, positive, "above 0 (seconds)");
+    settings.largest_overlap = dict.number(
+        "largestOverlap", 0, [](double o) { return o > 0 && o < 1; },
+        "between 0 and 1 (part of the tracked diameter that two spheres may overlap)");
+    settings.impact_speed = dict.number("impactSpeed", 0, positive, "above 0 (m/s, at which spheres meet)");
+
+    for (const char* entry : {"largestOverlap", "impactSpeed"})
+        if (resolved && dict.has(entry))
+            throw dict.complaint(entry,
+                                 std::string(entry) + " with method " + name_of(settings.method) +
+                                     ", whose step has to resolve each contact",
+                                 "give stepsPerCollision or solidStep instead");
+    if (dict.has("largestOverlap") != dict.has("impactSpeed")) {
+        const char* given = dict.has("largestOverlap") ? "largestOverlap" : "impactSpeed";
+        throw dict.complaint(given, std::string(given) + " is given alone",
+                             "give both: the solid step is largestOverlap * diameter / impactSpeed");
+    }
+    std::vector<std::string> rules;
+    for (const char* entry : {"stepsPerCollision", "solidStep", "largestOverlap"})
+        if (dict.has(entry)) rules.emplace_back(entry);
+    if (rules.size() > 1)
+        throw dict.complaint(rules[1], "both " + rules[1] + " and " + rules[0] + " are given", "keep one of them");
 }
 
 void read_particles(DictionaryReader dict, Settings& settings, const Foam::fileName& root)
@@ -62,12 +112,7 @@ void read_particles(DictionaryReader dict, Settings& settings, const Foam::fileN
                                                  ? std::string(stream.first().stringToken())
                                                  : std::string(stream.toString()));
     }
-    settings.steps_per_collision = dict.number(
-        "stepsPerCollision", settings.steps_per_collision, [](double s) { return s >= 10; },
-        "at least 10 (solid steps in which one collision is resolved; 10 to 60 are usual)");
-    settings.solid_step = dict.number("solidStep", 0, positive, "above 0 (seconds)");
-    if (settings.solid_step > 0 && dict.has("stepsPerCollision"))
-        throw dict.complaint("solidStep", "both solidStep and stepsPerCollision are given", "keep one of them");
+    read_solid_step(dict, settings);
     dict.refuse_unknown_keys();
 }
 
@@ -130,6 +175,7 @@ Settings read_coupling_dict(const Foam::fileName& root)
 
     Settings settings;
     read_method(dict, settings);
+    read_plugins(dict, settings);
     if (!dict.has("particles"))
         throw dict.complaint("particles", "the block `particles { ... }` is missing",
                              "add it, with the LIGGGHTS script");

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#[[
+find_package(interphase), for plug-ins outside its tree: from an installation (CMAKE_PREFIX_PATH) or a build folder
+(-Dinterphase_DIR=<interphase>/build/release). Makes interphase_add_plugin (InterphasePlugin.cmake), the programs
+interphase::interphase and interphase::interphase-liggghts, and interphase::plugin: the header <interphase/plugin.hpp> and the
+LIGGGHTS and MPI that it needs.
+]]
+include(CMakeFindDependencyMacro)
+set(THREADS_PREFER_PTHREAD_FLAG ON)
+find_dependency(Threads)
+set(MPI_CXX_SKIP_MPICXX TRUE)
+find_dependency(MPI COMPONENTS CXX)
+
+# The LIGGGHTS that interphase is built with, unless the project says otherwise.
+include("${CMAKE_CURRENT_LIST_DIR}/interphaseLIGGGHTS.cmake")
+set(_interphase_module_path "${CMAKE_MODULE_PATH}")
+list(PREPEND CMAKE_MODULE_PATH "${CMAKE_CURRENT_LIST_DIR}")
+find_dependency(LIGGGHTS)
+set(CMAKE_MODULE_PATH "${_interphase_module_path}")
+
+include("${CMAKE_CURRENT_LIST_DIR}/interphaseTargets.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/InterphasePlugin.cmake")

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// \file
+/// All that a plug-in includes. A plug-in is a shared library with fix styles for LIGGGHTS; one line makes it one:
+///
+///     INTERPHASE_PLUGIN("bouncy", {"bouncy/spheres", &interphase::create<FixBouncySpheres>})
+///
+/// `interphase` (entry `plugins` of system/couplingDict) and `interphase-liggghts` (option -plugin) load it into the
+/// unmodified LIGGGHTS, whose scripts then know the styles. plugins/README.md tells the rest.
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <type_traits>
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix.h"
+#include "force.h"
+#include "lammps.h"
+#include "modify.h"
+#include "neigh_list.h"
+#include "neigh_request.h"
+#include "neighbor.h"
+#include "pointers.h"
+#include "update.h"
+
+namespace interphase {
+
+/// Changes whenever a plug-in built before could be misread or misused.
+constexpr std::uint32_t plugin_interface_version = 1;
+
+/// A fix style that the plug-in brings: as a script writes it, and what makes one.
+struct PluginStyle {
+    const char* name;
+    LAMMPS_NS::Fix* (*create)(LAMMPS_NS::LAMMPS*, int, char**);
+};
+
+/// One thing that a plug-in and the program that loads it must have been built against alike: a text, or (text null) a
+/// number.
+struct BuildFact {
+    const char* what;
+    const char* text;
+    std::int64_t number;
+};
+
+/// What a plug-in says of itself. The version stands first for ever; what follows it is laid out as that version says.
+struct PluginDescriptor {
+    std::uint32_t interface_version;
+    std::uint32_t fact_count;
+    const BuildFact* facts;
+    const char* name;
+    std::uint64_t style_count;
+    const PluginStyle* styles;
+};
+static_assert(std::is_standard_layout_v<PluginDescriptor> && std::is_trivial_v<PluginDescriptor>);
+
+/// The C function that every plug-in has: returns its PluginDescriptor.
+constexpr const char* plugin_entry_point = "interphase_plugin";
+using PluginEntryPoint = const PluginDescriptor* (*)();
+
+// --- what a fix of a plug-in may tell the coupler, by LIGGGHTS's own Fix::extract(name, dimension)
+// -----------------------
+
+/// double*: the longest solid step [s] that the fix bears with the particles there are; asked for after the script. The
+/// coupler keeps to it where it chooses the step, and refuses a longer one that is given.
+constexpr const char* extract_solid_step_limit = "solid_step_limit";
+
+// --- what the macro below is made of
+// ------------------------------------------------------------------------------------
+
+#define INTERPHASE_QUOTED(x) #x
+#define INTERPHASE_VALUE(x) INTERPHASE_QUOTED(x)
+
+#if defined(__clang__)
+#define INTERPHASE_COMPILER "Clang " INTERPHASE_VALUE(__clang_major__)
+#elif defined(__INTEL_COMPILER)
+#define INTERPHASE_COMPILER "Intel " INTERPHASE_VALUE(__INTEL_COMPILER)
+#elif defined(__GNUC__)
+#define INTERPHASE_COMPILER "GCC " INTERPHASE_VALUE(__GNUC__)
+#else
+#define INTERPHASE_COMPILER "unknown"
+#endif
+
+#if defined(OPEN_MPI)
+#define INTERPHASE_MPI "Open MPI " INTERPHASE_VALUE(OMPI_MAJOR_VERSION) "." INTERPHASE_VALUE(OMPI_MINOR_VERSION)
+#elif defined(MPICH_VERSION)
+#define INTERPHASE_MPI "MPICH " MPICH_VERSION
+#else
+#define INTERPHASE_MPI "MPI " INTERPHASE_VALUE(MPI_VERSION) "." INTERPHASE_VALUE(MPI_SUBVERSION)
+#endif
+
+#if defined(_GLIBCXX_USE_CXX11_ABI)
+#define INTERPHASE_LIBRARY_ABI _GLIBCXX_USE_CXX11_ABI
+#else
+#define INTERPHASE_LIBRARY_ABI -1
+#endif
+
+/// What this translation unit is built against. INTERPHASE_LIGGGHTS_VERSION comes with CMake's LIGGGHTS::liggghts.
+constexpr BuildFact build_facts[] = {
+    {"LIGGGHTS", INTERPHASE_LIGGGHTS_VERSION, 0},
+    {"compiler", INTERPHASE_COMPILER, 0},
+    {"MPI", INTERPHASE_MPI, 0},
+    {"C++ ABI (__GXX_ABI_VERSION)", nullptr, __GXX_ABI_VERSION},
+    {"C++ library ABI (_GLIBCXX_USE_CXX11_ABI)", nullptr, INTERPHASE_LIBRARY_ABI},
+    {"size of bigint [bytes]", nullptr, sizeof(LAMMPS_NS::bigint)},
+    {"size of tagint [bytes]", nullptr, sizeof(LAMMPS_NS::tagint)},
+    {"size of LAMMPS [bytes]", nullptr, sizeof(LAMMPS_NS::LAMMPS)},
+    {"size of Pointers [bytes]", nullptr, sizeof(LAMMPS_NS::Pointers)},
+    {"size of Fix [bytes]", nullptr, sizeof(LAMMPS_NS::Fix)},
+    {"size of Atom [bytes]", nullptr, sizeof(LAMMPS_NS::Atom)},
+    {"size of Comm [bytes]", nullptr, sizeof(LAMMPS_NS::Comm)},
+    {"size of Domain [bytes]", nullptr, sizeof(LAMMPS_NS::Domain)},
+    {"size of Force [bytes]", nullptr, sizeof(LAMMPS_NS::Force)},
+    {"size of Modify [bytes]", nullptr, sizeof(LAMMPS_NS::Modify)},
+    {"size of Neighbor [bytes]", nullptr, sizeof(LAMMPS_NS::Neighbor)},
+    {"size of NeighList [bytes]", nullptr, sizeof(LAMMPS_NS::NeighList)},
+    {"size of NeighRequest [bytes]", nullptr, sizeof(LAMMPS_NS::NeighRequest)},
+    {"size of Update [bytes]", nullptr, sizeof(LAMMPS_NS::Update)},
+};
+
+template <class FixStyle>
+LAMMPS_NS::Fix* create(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
+{
+    return new FixStyle(lmp, narg, arg);
+}
+
+}  // namespace interphase
+
+/// Makes the library that it stands in (once) a plug-in: its name, and its fix styles as {"name",
+/// &interphase::create<Class>}.
+#define INTERPHASE_PLUGIN(plugin_name, ...)                                                                   \
+    extern "C" __attribute__((visibility("default"))) const interphase::PluginDescriptor* interphase_plugin() \
+    {                                                                                                         \
+        static constexpr interphase::PluginStyle styles[] = {__VA_ARGS__};                                    \
+        static constexpr interphase::PluginDescriptor descriptor{                                             \
+            interphase::plugin_interface_version,                                                             \
+            sizeof interphase::build_facts / sizeof interphase::build_facts[0],                               \
+            interphase::build_facts,                                                                          \
+            plugin_name,                                                                                      \
+            sizeof styles / sizeof styles[0],                                                                 \
+            styles};                                                                                          \
+        return &descriptor;                                                                                   \
+    }

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/communicator.hpp"
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace interphase {
+
+/// A plug-in whose fix styles LIGGGHTS knows. Its library stays in the process until the end.
+struct LoadedPlugin {
+    std::string name, file;
+    std::vector<std::string> styles;
+};
+
+/// Loads plug-ins, named as find_plugin() wants them, and makes their fix styles known to this LIGGGHTS. Either all of
+/// them on all ranks, or a UserError: no such library, one that cannot be loaded, one that is no plug-in or is built
+/// against something else, a style that is taken. `asked_by` says where the user asked for them. Collective.
+std::vector<LoadedPlugin> load_plugins(const Communicator& comm, LAMMPS_NS::LAMMPS& lmp,
+                                       const std::vector<std::string>& wanted, const std::string& asked_by);
+
+}  // namespace interphase

@@ -1,0 +1,131 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+# processors: 2
+# timeout: 900
+"""tools/new-plugin: what it refuses, and the whole path of what it writes: configured against the build folder and against an
+installation, built, its own test passed, its script run, its bed run by tools/run, installed and found by name.
+"""
+
+import os
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+import h5py
+
+SOURCE = os.environ.get("INTERPHASE_SOURCE") or os.path.realpath(os.path.join(os.path.dirname(__file__), "..", ".."))
+BUILD = os.environ.get("INTERPHASE_BUILD") or os.path.join(SOURCE, "build", "release")
+TOOL = os.path.join(SOURCE, "tools", "new-plugin")
+
+
+class Bench(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="interphase-")
+        self.addCleanup(folder.cleanup)
+        self.root = folder.name
+
+    def run_program(self, *command, cwd=None, **changes):
+        environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", **changes}
+        return subprocess.run(
+            command, cwd=cwd or self.root, env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True,
+            errors="replace", timeout=600,
+        )  # fmt: skip
+
+    def succeed(self, *command, **how):
+        done = self.run_program(*command, **how)
+        self.assertEqual(done.returncode, 0, f"{' '.join(command)}:\n{done.stdout[-4000:]}{done.stderr[-4000:]}")
+        return done
+
+
+class Refusals(Bench):
+    def refused(self, *arguments, **how):
+        done = self.run_program(TOOL, *arguments, **how)
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        self.assertNotIn("Traceback", done.stderr)
+        return done.stderr
+
+    def test_names(self):
+        for name in ("Bouncy", "2fast", "a-b", "a b", "wall/x", "", "ümlaut"):
+            with self.subTest(name):
+                self.assertIn(f"the name '{name}' will not do: give lower-case letters", self.refused(name, "folder"))
+        self.assertIn("my_install", self.refused("install", "folder"))
+        self.assertEqual(os.listdir(self.root), [])
+
+    def test_a_folder_with_something_in_it(self):
+        os.mkdir(os.path.join(self.root, "bouncy"))
+        with open(os.path.join(self.root, "bouncy", "thesis.tex"), "w", encoding="utf-8"):
+            pass
+        self.assertIn("bouncy is not empty", self.refused("bouncy"))
+        self.assertEqual(os.listdir(os.path.join(self.root, "bouncy")), ["thesis.tex"])
+
+    def test_a_file(self):
+        with open(os.path.join(self.root, "bouncy"), "w", encoding="utf-8"):
+            pass
+        self.assertIn("bouncy is a file", self.refused("bouncy"))
+
+    def test_a_folder_inside_the_tree(self):
+        folder = os.path.join(SOURCE, "plugins", "bouncy")
+        for given, cwd in ((folder, None), (".", os.path.join(SOURCE, "plugins"))):
+            self.assertIn("is inside the tree of interphase", self.refused("bouncy", given, cwd=cwd))
+        self.assertFalse(os.path.exists(folder))
+
+    def test_a_path_that_openfoam_does_not_bear(self):
+        self.assertIn("OpenFOAM bears no ' ' in a path", self.refused("bouncy", "my folder"))
+
+
+class WholePath(Bench):
+    def configured(self, plugin, *options):
+        build = os.path.join(plugin, "build")
+        self.succeed("cmake", "-S", plugin, "-B", build, "-G", "Ninja", *options)
+        self.succeed("cmake", "--build", build)
+        return build
+
+    def test_with_the_build_folder(self):
+        done = self.succeed(TOOL, "soft_ball")
+        self.assertIn("cmake -B build", done.stdout)
+        plugin = os.path.join(self.root, "soft_ball")
+        build = self.configured(plugin, f"-Dinterphase_DIR={BUILD}")
+        self.succeed("ctest", "--test-dir", build, "--output-on-failure", "--no-tests=error")
+
+        out = os.path.join(self.root, "out")
+        self.succeed(os.path.join(SOURCE, "tools", "run"), os.path.join(plugin, "case"), "--out", out, "--no-picture",
+                     INTERPHASE_BIN=os.path.join(BUILD, "interphase"))  # fmt: skip
+        with h5py.File(os.path.join(out, "results.h5"), "r") as file:
+            self.assertIn("soft_ball/spheres", str(file["/meta"].attrs["plugins"]))
+            self.assertAlmostEqual(float(file["/meta"].attrs["simulated_time"]), 0.1, delta=1e-9)
+            self.assertEqual(file["/series/particles"][-1], file["/meta"].attrs["particles"], "no sphere was lost")
+            self.assertLess(abs(file["/ledger/momentum_residual"][-1]), 1e-12)
+
+        example = os.path.join(plugin, "example")
+        script = os.path.join(example, "in.liggghts")
+        with open(script, encoding="utf-8") as file:
+            text = file.read()
+        with open(script, "w", encoding="utf-8") as file:
+            file.write(text.replace("run             20000", "run             2000"))
+        done = self.succeed(os.path.join(BUILD, "interphase-liggghts"), "-plugin", "../build/libsoft_ball.so", "-in", "in.liggghts", cwd=example)
+        self.assertIn("2000 steps with 784 atoms", done.stdout)
+
+    def test_with_an_installation(self):
+        """An interphase in <prefix> and a plug-in installed into the same one, found by its name."""
+        prefix = os.path.join(self.root, "prefix")
+        self.succeed("cmake", "--install", BUILD, "--prefix", prefix)
+        plugin = os.path.join(self.root, "elsewhere", "soft_ball")
+        self.succeed(TOOL, "soft_ball", plugin)
+        build = self.configured(plugin, f"-DCMAKE_PREFIX_PATH={prefix}")
+        with open(os.path.join(build, "CMakeCache.txt"), encoding="utf-8") as cache:
+            self.assertIn(f"interphase_DIR:PATH={prefix}/lib/cmake/interphase", cache.read())
+        self.succeed("cmake", "--install", build, "--prefix", prefix)
+        self.assertTrue(os.path.isfile(os.path.join(prefix, "lib/interphase/plugins/libsoft_ball.so")))
+
+        shutil.rmtree(build)
+        script = os.path.join(self.root, "in.script")
+        with open(script, "w", encoding="utf-8") as file:
+            file.write("units si\n")
+        self.succeed(os.path.join(prefix, "bin", "interphase-liggghts"), "-plugin", "soft_ball", "-in", script)
+        done = self.run_program(os.path.join(prefix, "bin", "interphase-liggghts"), "-plugin", "soft_bal", "-in", script)
+        self.assertIn("did you mean `soft_ball`?", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
