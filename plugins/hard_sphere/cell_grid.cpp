@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hard_sphere/cell_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace interphase::hard_sphere {
+
+std::vector<CellGrid::Level> CellGrid::choose_levels(const std::vector<Place>& places, double reach)
+{
+    std::array<double, 3> low, high;
+    low.fill(1e300);
+    high.fill(-1e300);
+    double smallest = 1e300, largest = 0;
+    for (const Place& place : places) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            low[axis] = std::min(low[axis], place.centre[axis]);
+            high[axis] = std::max(high[axis], place.centre[axis]);
+        }
+        smallest = std::min(smallest, place.radius);
+        largest = std::max(largest, place.radius);
+    }
+    std::sort(axes_.begin(), axes_.end(), [&](int a, int b) {
+        const auto extent = [&](int axis) {
+            return high[static_cast<std::size_t>(axis)] - low[static_cast<std::size_t>(axis)];
+        };
+        return extent(a) > extent(b);
+    });
+
+    std::vector<Level> levels;
+    // a few wide cells serve scattered spheres better than millions of empty ones
+    const double most_cells = 8.0 * static_cast<double>(places.size()) + 1000;
+    const double widest = 2 * largest + reach;
+    for (double size = 2 * smallest + reach;; size *= 2) {
+        const bool last = size >= widest * (1 - 1e-12) || levels.size() + 1 == most_levels;
+        if (last) size = std::max(size, widest);
+        Level level{};
+        for (;; size *= 1.26) {
+            double cells = 1;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto axis = static_cast<std::size_t>(axes_[k]);
+                level.corner[k] = low[axis] - size;
+                const double count = std::floor((high[axis] - low[axis]) / size) + 3;
+                cells *= count;
+                level.cells[k] = static_cast<int>(std::min(count, 1e6));
+            }
+            if (cells <= most_cells) break;
+        }
+        level.inverse_size = 1 / size;
+        levels.push_back(level);
+        if (last) break;
+    }
+    return levels;
+}
+
+int CellGrid::cell_at(const Level& level, const Place& place) const
+{
+    int at[3];
+    for (std::size_t k = 0; k < 3; ++k)
+        at[k] = static_cast<int>((place.centre[static_cast<std::size_t>(axes_[k])] - level.corner[k]) *
+                                 level.inverse_size);
+    return level.first_cell + (at[0] * level.cells[1] + at[1]) * level.cells[2] + at[2];
+}
+
+void CellGrid::sort(const std::vector<Place>& places, double reach)
+{
+    const std::size_t n = places.size();
+    levels_ = choose_levels(places, reach);
+    int cells = 0;
+    for (Level& level : levels_) {
+        level.first_cell = cells;
+        cells += level.cells[0] * level.cells[1] * level.cells[2];
+    }
+
+    cell_of_.resize(n);
+    level_of_.assign(n, 0);
+    start_.assign(static_cast<std::size_t>(cells) + 2, 0);
+    for (std::size_t i = 0; i < n; ++i) {
+        const double diameter = 2 * places[i].radius + reach;
+        std::size_t l = 0;
+        while (l + 1 < levels_.size() && diameter * levels_[l].inverse_size > 1 + 1e-12)
+            ++l;
+        level_of_[i] = static_cast<signed char>(l);
+        cell_of_[i] = cell_at(levels_[l], places[i]);
+        ++start_[static_cast<std::size_t>(cell_of_[i]) + 1];
+    }
+    std::partial_sum(start_.begin(), start_.end(), start_.begin());
+    for (Level& level : levels_) {
+        level.first_sphere = start_[static_cast<std::size_t>(level.first_cell)];
+        const int count = level.cells[0] * level.cells[1] * level.cells[2];
+        level.last_sphere = start_[static_cast<std::size_t>(level.first_cell + count)];
+    }
+
+    order_.resize(n);
+    sorted_cell_.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const int k = start_[static_cast<std::size_t>(cell_of_[i])]++;
+        order_[static_cast<std::size_t>(k)] = static_cast<int>(i);
+        sorted_cell_[static_cast<std::size_t>(k)] = cell_of_[i];
+    }
+    // filling has moved every start to the next cell's
+    std::rotate(start_.begin(), start_.end() - 1, start_.end());
+    start_[0] = 0;
+
+    if (levels_.size() == 1) return;
+    coarser_cells_.resize(n);
+    for (std::size_t k = 0; k < n; ++k) {
+        const auto i = static_cast<std::size_t>(order_[k]);
+        for (std::size_t m = static_cast<std::size_t>(level_of_[i]) + 1; m < levels_.size(); ++m)
+            coarser_cells_[k][m] = cell_at(levels_[m], places[i]);
+    }
+}
+
+}  // namespace interphase::hard_sphere

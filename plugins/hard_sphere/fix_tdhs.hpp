@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fix.h"
+#include "hard_sphere/cell_grid.hpp"
+#include "hard_sphere/contact_solver.hpp"
+#include "hard_sphere/cost.hpp"
+#include "hard_sphere/pair_search.hpp"
+#include "hard_sphere/wall.hpp"
+
+namespace interphase::hard_sphere {
+
+/// The LIGGGHTS fix style `tdhs`: time-driven hard spheres. It is the integrator of its group and resolves all contacts
+/// of the group's spheres, among each other, with spheres outside the group (which it holds as they are) and with
+/// the walls that fixes `wall/tdhs` describe. What the script may say stands in the folder's README.
+///
+/// A step: velocities take up all forces but contacts (eq. 9 of the paper), contacts change velocities, positions
+/// follow. Velocities belong to the middle of the step before the position's time, as in LIGGGHTS's own integrators
+/// after their second half.
+class FixTdhs : public LAMMPS_NS::Fix {
+public:
+    static constexpr const char* style_name = "tdhs";
+
+    FixTdhs(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+    ~FixTdhs() override;
+
+    int setmask() override;
+    void init() override;
+    void setup(int) override;
+    void initial_integrate(int) override;
+    void final_integrate() override;
+
+    void grow_arrays(int count) override;
+    void copy_arrays(int from, int to, int) override;
+    void set_arrays(int i) override;
+    int pack_exchange(int i, double* buffer) override;
+    int unpack_exchange(int i, double* buffer) override;
+    double memory_usage() override;
+
+    int pack_comm(int n, int* list, double* buffer, int, int*) override;
+    void unpack_comm(int n, int first, double* buffer) override;
+    int pack_reverse_comm(int n, int first, double* buffer) override;
+    void unpack_reverse_comm(int n, int* list, double* buffer) override;
+
+    /// What `thermo_style custom f_ID[k]` shows; see the README.
+    double compute_vector(int k) override;
+
+private:
+    enum class Message { start, passes, shift };
+
+    void read_arguments(int narg, char** arg);
+    void refuse_company();
+    Materials read_materials();
+    void collect_walls();
+    double gravity_speed() const;
+    void add_forces();
+    void gather();
+    void choose_limits();
+    void share_changes();
+    void scatter();
+    double shared_max(double value) const;
+
+    // what the script says
+    int passes_ = 4;
+    double margin_ = 0.05, share_ = 0.3, tolerated_ = 1e-3;
+    double resting_speed_ = -1;
+
+    Materials materials_;
+    std::vector<std::unique_ptr<Wall>> walls_;
+    StepLimits limits_{};
+    double reach_ = 0;  ///< gap up to which pairs are looked for [m]
+    double smallest_radius_ = 0, largest_radius_ = 0;
+
+    std::vector<double> push_;   ///< [atoms x 3]
+    std::vector<double> shift_;  ///< not yet in the positions [atoms x 3, m]
+    ImpulseMemory memory_;
+
+    std::vector<Place> places_;
+    Bodies bodies_;
+    CellGrid grid_;
+    PairSearch pairs_;
+    std::vector<Contact> wall_contacts_;
+    ContactSolver solver_;
+    std::vector<int> body_of_;           ///< [atoms, ghosts included]
+    std::vector<Body> shared_;  ///< of ghosts, as their owners last told
+    Message message_ = Message::start;
+    Cost cost_;
+};
+
+}  // namespace interphase::hard_sphere

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "hard_sphere/bodies.hpp"
+#include "hard_sphere/contact_batch.hpp"
+
+namespace interphase::hard_sphere {
+
+enum class Direction { forward, backward };
+
+/// Poisson's hypothesis for impacts of bodies that touch others, too: compression stops their approach, then
+/// restitution returns e_n times the impulse that this took, and e_t times the tangential one. (Newton's, e_n times the
+/// velocity, can gain energy there: it repels bodies that others have stopped already. For two bodies the hypotheses
+/// agree. Pfeiffer and Glocker, Multibody Dynamics with Unilateral Contacts, Wiley 1996, ch. 8.)
+enum class Phase { compression, release, after_release };
+
+/// One pass of projected Gauss-Seidel over the contacts, in the order of the spheres in memory or against it: each
+/// contact in turn gets the impulse that its bodies need, given all others (Jean, CMAME 177 (1999) 235). Normal:
+/// v_n + gap/step >= 0; tangential: no slip, within Coulomb's cone. Each update takes kinetic energy or leaves it.
+void sweep(std::vector<Body>& bodies, std::vector<ContactBatch>& batches, std::size_t count, Direction direction);
+void sweep(std::vector<Body>& bodies, std::vector<ImpactBatch>& batches, std::size_t count, Direction direction,
+           Phase phase);
+
+}  // namespace interphase::hard_sphere

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hard_sphere/triangle_wall.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace interphase::hard_sphere {
+
+namespace {
+
+struct Candidate {
+    Vector point;
+    double distance;
+    int triangle;
+};
+
+/// Of a flat or hollow surface the inner edges are none to bump into: a point that does not rise above the plane of
+/// contact at a nearer one is the same surface.
+bool hidden_by(const Candidate& nearer, const Candidate& other, const Vector& centre, double radius)
+{
+    const Vector outwards = (centre - nearer.point) / std::max(nearer.distance, 1e-300);
+    return (other.point - nearer.point).dot(outwards) < 1e-6 * radius;
+}
+
+}  // namespace
+
+Vector nearest_point(const Triangle& triangle, const Vector& point)
+{
+    const Vector &a = triangle[0], &b = triangle[1], &c = triangle[2];
+    const Vector ab = b - a, ac = c - a, ap = point - a;
+    const double d1 = ab.dot(ap), d2 = ac.dot(ap);
+    if (d1 <= 0 && d2 <= 0) return a;
+    const Vector bp = point - b;
+    const double d3 = ab.dot(bp), d4 = ac.dot(bp);
+    if (d3 >= 0 && d4 <= d3) return b;
+    const double vc = d1 * d4 - d3 * d2;
+    if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + d1 / (d1 - d3) * ab;
+    const Vector cp = point - c;
+    const double d5 = ab.dot(cp), d6 = ac.dot(cp);
+    if (d6 >= 0 && d5 <= d6) return c;
+    const double vb = d5 * d2 - d1 * d6;
+    if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + d2 / (d2 - d6) * ac;
+    const double va = d3 * d6 - d5 * d4;
+    if (va <= 0 && d4 >= d3 && d5 >= d6) return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
+    const double sum = va + vb + vc;
+    return a + vb / sum * ab + vc / sum * ac;
+}
+
+TriangleWall::TriangleWall(int type, std::vector<Triangle> triangles) : Wall(type), triangles_(std::move(triangles))
+{
+    double perimeter = 0;
+    for (const Triangle& t : triangles_) {
+        for (const Vector& corner : t)
+            extend(bounds_, corner);
+        perimeter += (t[1] - t[0]).norm() + (t[2] - t[1]).norm() + (t[0] - t[2]).norm();
+    }
+    if (triangles_.empty()) return;
+    // cells about as wide as the triangles' edges, and not many more of them than triangles
+    const Vector extent = bounds_.col(1) - bounds_.col(0);
+    size_ = std::max(perimeter / (3.0 * static_cast<double>(triangles_.size())), 1e-300);
+    const double most = 64.0 * static_cast<double>(triangles_.size()) + 64;
+    const auto count = [&](int axis) { return std::floor(extent[axis] / size_) + 1; };
+    while (count(0) * count(1) * count(2) > most)
+        size_ *= 1.26;
+    for (int axis = 0; axis < 3; ++axis)
+        cells_[axis] = static_cast<int>(count(axis));
+
+    const auto each = [&](const auto& visit) {
+        for (std::size_t t = 0; t < triangles_.size(); ++t) {
+            const Triangle& k = triangles_[t];
+            const Range range =
+                cells_around(k[0].cwiseMin(k[1]).cwiseMin(k[2]), k[0].cwiseMax(k[1]).cwiseMax(k[2]));
+            for (int z = range.low[2]; z <= range.high[2]; ++z)
+                for (int y = range.low[1]; y <= range.high[1]; ++y)
+                    for (int x = range.low[0]; x <= range.high[0]; ++x)
+                        visit(static_cast<std::size_t>(cell(x, y, z)), static_cast<int>(t));
+        }
+    };
+    start_.assign(static_cast<std::size_t>(cells_[0] * cells_[1] * cells_[2]) + 1, 0);
+    each([&](std::size_t c, int) { ++start_[c + 1]; });
+    std::partial_sum(start_.begin(), start_.end(), start_.begin());
+    members_.resize(static_cast<std::size_t>(start_.back()));
+    std::vector<int> next(start_.begin(), start_.end() - 1);
+    each([&](std::size_t c, int t) { members_[static_cast<std::size_t>(next[c]++)] = t; });
+}
+
+TriangleWall::Range TriangleWall::cells_around(const Vector& low, const Vector& high) const
+{
+    Range range;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto clamped = [&](double x) {
+            return static_cast<int>(
+                std::clamp(std::floor((x - bounds_(axis, 0)) / size_), 0.0, static_cast<double>(cells_[axis] - 1)));
+        };
+        range.low[axis] = clamped(low[axis]);
+        range.high[axis] = clamped(high[axis]);
+    }
+    return range;
+}
+
+template <class Visit>
+void TriangleWall::each_near(const Place& sphere, double reach, const Visit& visit) const
+{
+    const double within = sphere.radius + reach;
+    const Vector centre = vector(sphere.centre), span = Vector::Constant(within);
+    if (((centre + span).array() < bounds_.col(0).array()).any() ||
+        ((centre - span).array() > bounds_.col(1).array()).any())
+        return;
+    const Range range = cells_around(centre - span, centre + span);
+    for (int z = range.low[2]; z <= range.high[2]; ++z)
+        for (int y = range.low[1]; y <= range.high[1]; ++y)
+            for (int x = range.low[0]; x <= range.high[0]; ++x) {
+                const auto c = static_cast<std::size_t>(cell(x, y, z));
+                for (int k = start_[c]; k < start_[c + 1]; ++k)
+                    if (visit(members_[static_cast<std::size_t>(k)])) return;
+            }
+}
+
+bool TriangleWall::may_touch(const Place& sphere, double reach) const
+{
+    bool found = false;
+    each_near(sphere, reach, [&](int) { return found = true; });
+    return found;
+}
+
+void TriangleWall::near(const Place& sphere, double reach, std::vector<WallPoint>& points) const
+{
+    const double within = sphere.radius + reach;
+    const Vector centre = vector(sphere.centre);
+    std::vector<Candidate> candidates;
+    each_near(sphere, reach, [&](int t) {
+        const Vector point = nearest_point(triangles_[static_cast<std::size_t>(t)], centre);
+        const double distance = (point - centre).norm();
+        if (distance < within && distance > 0) candidates.push_back({point, distance, t});
+        return false;
+    });
+    std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+        return a.distance != b.distance ? a.distance < b.distance : a.triangle < b.triangle;
+    });
+    std::vector<Candidate> kept;
+    for (const Candidate& candidate : candidates) {
+        const auto hides = [&](const Candidate& nearer) {
+            return hidden_by(nearer, candidate, centre, sphere.radius);
+        };
+        if (std::any_of(kept.begin(), kept.end(), hides)) continue;
+        kept.push_back(candidate);
+        points.push_back({(candidate.point - centre) / candidate.distance, candidate.distance - sphere.radius,
+                          Vector::Zero(), candidate.triangle});
+    }
+}
+
+}  // namespace interphase::hard_sphere

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "hard_sphere/wall.hpp"
+
+namespace interphase::hard_sphere {
+
+using Triangle = std::array<Vector, 3>;
+
+/// The point of a triangle that is nearest to `point` (Ericson, Real-Time Collision Detection, 2005, section 5.1.5).
+Vector nearest_point(const Triangle& triangle, const Vector& point);
+
+/// Both sides of a resting surface of triangles.
+class TriangleWall : public Wall {
+public:
+    TriangleWall(int type, std::vector<Triangle> triangles);
+
+    void near(const Place& sphere, double reach, std::vector<WallPoint>& points) const override;
+    bool may_touch(const Place& sphere, double reach) const override;
+
+private:
+    struct Range {
+        int low[3], high[3];
+    };
+    Range cells_around(const Vector& low, const Vector& high) const;
+    int cell(int x, int y, int z) const { return (z * cells_[1] + y) * cells_[0] + x; }
+    template <class Visit>
+    void each_near(const Place& sphere, double reach, const Visit& visit) const;
+
+    std::vector<Triangle> triangles_;
+    Box bounds_ = empty_box();
+    double size_ = 1;
+    int cells_[3] = {1, 1, 1};
+    std::vector<int> start_, members_;  ///< triangles whose box meets each cell
+};
+
+}  // namespace interphase::hard_sphere

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hard_sphere/wall_contacts.hpp"
+
+#include <algorithm>
+
+namespace interphase::hard_sphere {
+
+void find_wall_contacts(Bodies& bodies, std::size_t spheres, const std::vector<std::unique_ptr<Wall>>& walls,
+                        const Materials& materials, const StepLimits& limits, std::vector<Contact>& found)
+{
+    found.clear();
+    std::vector<WallPoint> points;
+    for (std::size_t w = 0; w < walls.size(); ++w) {
+        const Wall& wall = *walls[w];
+        for (std::size_t i = 0; i < spheres; ++i) {
+            const Place& place = bodies.place[i];
+            const Vector velocity = vector(bodies.body[i].velocity);
+            const double reach = limits.margin + limits.step * velocity.cwiseAbs().sum();
+            if (!wall.may_touch(place, reach)) continue;
+            if (bodies.label[i].ghost || bodies.body[i].inverse_mass == 0) continue;
+            points.clear();
+            wall.near(place, reach, points);
+            for (const WallPoint& point : points) {
+                const Vector meeting = point.velocity - velocity;
+                const double end = point.gap + limits.step * meeting.dot(point.normal);
+                if (std::min(point.gap, end) > limits.margin) continue;
+                Contact contact{static_cast<int>(i), static_cast<int>(spheres), point.normal, point.gap, false, 0, 0,
+                                &materials.between(bodies.label[i].type, wall.type()),
+                                -1 - static_cast<int>(w) - static_cast<int>(walls.size()) * point.element};
+                if (!point.velocity.isZero()) {
+                    contact.j = static_cast<int>(bodies.body.size());
+                    bodies.body.emplace_back();
+                    std::copy_n(point.velocity.data(), 3, bodies.body.back().velocity);
+                }
+                if (end < 0 && end < point.gap) {
+                    contact.touch_time = limits.step * std::max(0.0, point.gap) / (point.gap - end);
+                    judge_impact(contact, meeting, -bodies.push[i], limits);
+                }
+                found.push_back(contact);
+            }
+        }
+    }
+}
+
+}  // namespace interphase::hard_sphere
