@@ -14,6 +14,14 @@ Vector vector(const Number (&v)[3])
     return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
 }
 
+/// Three numbers; std::copy_n would call memmove for them.
+inline void copy_three(const double* from, double* to)
+{
+    to[0] = from[0];
+    to[1] = from[1];
+    to[2] = from[2];
+}
+
 /// What the solver changes of a sphere, one cache line. A body that nothing moves has 0 in both inverses.
 struct alignas(64) Body {
     double velocity[3] = {0, 0, 0};  ///< [m/s]

@@ -10,16 +10,25 @@ namespace {
 
 constexpr double resting_pushes = 2;
 
-/// When within the step the spheres touch; the step's end where they do not.
-double time_of_touch(const Vector& apart, const Vector& meeting, double touching, double step)
+/// The moment within the step at which two spheres touch, or are nearest if they do not.
+struct Encounter {
+    double time;
+    bool touch;
+};
+
+Encounter encounter(const Vector& apart, const Vector& meeting, double touching, double step)
 {
     const double closing = apart.dot(meeting);
-    if (closing >= 0) return step;
     const double distance = apart.squaredNorm() - touching * touching;
-    if (distance <= 0) return 0;
-    const double discriminant = closing * closing - meeting.squaredNorm() * distance;
-    if (discriminant <= 0) return step;
-    return std::min(step, distance / (-closing + std::sqrt(discriminant)));
+    if (closing >= 0) return {0, false};
+    if (distance <= 0) return {0, true};
+    const double speed2 = meeting.squaredNorm();
+    const double discriminant = closing * closing - speed2 * distance;
+    if (discriminant > 0) {
+        const double time = distance / (-closing + std::sqrt(discriminant));
+        if (time < step) return {time, true};
+    }
+    return {std::min(step, -closing / speed2), false};
 }
 
 }  // namespace
@@ -35,21 +44,31 @@ void judge_impact(Contact& contact, const Vector& meeting, const Vector& push, c
     contact.parting = std::max(0.0, contact.law->restitution * approach - phase * gained);
 }
 
-Contact contact_of_spheres(const Bodies& bodies, int i, int j, const Materials& materials, const StepLimits& limits)
+double relieving_speed(double gap, const StepLimits& limits)
 {
-    const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+    return std::min(0.0, limits.relief * (gap + limits.tolerated) / limits.step);
+}
+
+Contact contact_of_spheres(const Bodies& bodies, const Pair& pair, const Materials& materials, const StepLimits& limits)
+{
+    const auto a = static_cast<std::size_t>(pair.i), b = static_cast<std::size_t>(pair.j);
     const Vector apart = vector(bodies.place[b].centre) - vector(bodies.place[a].centre);
     const Vector meeting = vector(bodies.body[b].velocity) - vector(bodies.body[a].velocity);
     const double touching = bodies.place[a].radius + bodies.place[b].radius;
-    const double length = apart.norm();
-    Contact contact{i, j, apart / length, length - touching, false, 0, 0,
+    const double gap = apart.norm() - touching;
+    const auto [time, touch] = encounter(apart, meeting, touching, limits.step);
+    const Vector then = apart + time * meeting;
+    const double distance = then.norm();
+    Contact contact{pair.i, pair.j, then / distance, gap, 0, pair.touch == 1, false, time, 0,
                     &materials.between(bodies.label[a].type, bodies.label[b].type), 0};
-    contact.touch_time = time_of_touch(apart, meeting, touching, limits.step);
-    if (contact.touch_time >= limits.step) return contact;
-    const Vector across = contact.normal;
-    if (contact.touch_time > 0) contact.normal = (apart + contact.touch_time * meeting) / touching;
-    judge_impact(contact, meeting, bodies.push[b] - bodies.push[a], limits);
-    if (!contact.impact) contact.normal = across;
+    const double speed = meeting.dot(contact.normal);
+    if (touch) {
+        contact.closing = -speed * time / limits.step;
+        judge_impact(contact, meeting, bodies.push[b] - bodies.push[a], limits);
+    } else if (gap > 0) {
+        contact.closing = (distance - touching) / limits.step - (time > 0 ? speed : 0);
+    }
+    if (gap < 0) contact.closing = relieving_speed(gap, limits);
     return contact;
 }
 

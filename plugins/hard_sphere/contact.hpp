@@ -6,14 +6,17 @@
 #include "base/vector.hpp"
 #include "hard_sphere/bodies.hpp"
 #include "hard_sphere/material.hpp"
+#include "hard_sphere/pair_search.hpp"
 
 namespace interphase::hard_sphere {
 
 /// Two bodies that may touch within this step.
 struct Contact {
     int i, j;           ///< places in Bodies; j may be a wall's
-    Vector normal;      ///< from i to j; of an impact: at the moment of touching
+    Vector normal;      ///< from i to j, where they touch or are nearest on their paths without contact
     double gap;         ///< between the surfaces at the start of the step, below 0: overlap [m]
+    double closing;     ///< they touch within this step if they approach each other faster than this [m/s]
+    bool touch;         ///< within the step, or all but so
     bool impact;        ///< they will touch, and fast enough for restitution
     double touch_time;  ///< of an impact: when within the step [s]
     double parting;     ///< of an impact: the normal velocity to part with [m/s]
@@ -24,11 +27,19 @@ struct Contact {
 struct StepLimits {
     double step;           ///< [s]
     double margin;         ///< bodies that pass each other by more than this are no contact [m]
+    double touching;       ///< those nearer than this are in touch, the others may be pushed so by their neighbours [m]
+    double tolerated;      ///< overlap that may stay [m]
+    double relief;         ///< share of the overlap beyond that which a step takes away
     double resting_speed;  ///< approach below which restitution does not apply [m/s]
 };
 
-/// Whether and when two spheres meet is solved for exactly, along their straight paths within the step.
-Contact contact_of_spheres(const Bodies& bodies, int i, int j, const Materials& materials, const StepLimits& limits);
+/// Whether, when and where two spheres meet is solved for exactly, along their straight paths within the step; for those
+/// that do not meet, the contact is linearised about the point where they are nearest, so that none is braked by
+/// another that it passes.
+Contact contact_of_spheres(const Bodies& bodies, const Pair& pair, const Materials& materials, const StepLimits& limits);
+
+/// Contact::closing of an overlap: below 0 where the bodies have to part, to take away what of it is not tolerated [m/s].
+double relieving_speed(double gap, const StepLimits& limits);
 
 /// `meeting`: relative velocity with which the bodies move in this step [m/s], forces included; `push`: what forces
 /// added to it. Makes the contact an impact if they are fast enough at the moment of touching, which `contact` has:

@@ -15,13 +15,13 @@ namespace {
 bool fixed(const Bodies& bodies, int body) { return bodies.body[static_cast<std::size_t>(body)].inverse_mass == 0; }
 
 /// Distances from the two centres to the point of contact, a wall's being 0. Together they are the distance of the
-/// centres, which keeps angular momentum; an impact happens where the surfaces touch.
+/// centres then, which keeps angular momentum.
 std::array<double, 2> arms(const Bodies& bodies, const Contact& contact)
 {
     const double r_i = bodies.place[static_cast<std::size_t>(contact.i)].radius;
     if (contact.key < 0) return {r_i, 0};
     const double r_j = bodies.place[static_cast<std::size_t>(contact.j)].radius;
-    const double stretch = contact.impact && contact.gap > 0 ? 1 : 1 + contact.gap / (r_i + r_j);
+    const double stretch = contact.gap > 0 ? 1 : 1 + contact.gap / (r_i + r_j);
     return {stretch * r_i, stretch * r_j};
 }
 
@@ -32,8 +32,8 @@ Sphere sphere(const Body& body, double arm)
 
 void put(const Sphere& sphere, Body& body)
 {
-    std::copy_n(sphere.velocity.data(), 3, body.velocity);
-    std::copy_n(sphere.spin.data(), 3, body.spin);
+    copy_three(sphere.velocity.data(), body.velocity);
+    copy_three(sphere.spin.data(), body.spin);
 }
 
 }  // namespace
@@ -52,40 +52,69 @@ void ContactSolver::start(Bodies& bodies, const PairSearch& pairs, const std::ve
     overlaps_.clear();
     shift_.assign(n, Vector::Zero());
 
-    count_contacts(bodies, pairs, walls);
     for (const Contact& contact : walls)
         resolve(bodies, contact, memory);
-    for (const Pair& pair : pairs) {
-        const Label &a = bodies.label[static_cast<std::size_t>(pair.i)], &b = bodies.label[static_cast<std::size_t>(pair.j)];
-        if (a.ghost + b.ghost == 2 || (a.ghost != b.ghost && (a.ghost == 1) == (a.id < b.id))) continue;
-        if (fixed(bodies, pair.i) && fixed(bodies, pair.j)) continue;
-        resolve(bodies, contact_of_spheres(bodies, pair.i, pair.j, materials, limits), memory);
-    }
+    for (const Pair& pair : pairs)
+        if (takes_part(bodies, pair))
+            resolve(bodies, contact_of_spheres(bodies, pair, materials, limits), memory);
 }
 
-void ContactSolver::count_contacts(const Bodies& bodies, const PairSearch& pairs, const std::vector<Contact>& walls)
+std::vector<int>& ContactSolver::count_touches(const Bodies& bodies, const PairSearch& pairs,
+                                               const std::vector<Contact>& walls)
 {
-    degree_.assign(bodies.body.size(), 0);
-    for (const Pair& pair : pairs) {
-        ++degree_[static_cast<std::size_t>(pair.i)];
-        ++degree_[static_cast<std::size_t>(pair.j)];
-    }
+    touches_.assign(bodies.body.size(), 0);
+    for (const Pair& pair : pairs)
+        if (pair.touch) {
+            ++touches_[static_cast<std::size_t>(pair.i)];
+            ++touches_[static_cast<std::size_t>(pair.j)];
+        }
     for (const Contact& contact : walls)
-        ++degree_[static_cast<std::size_t>(contact.i)];
+        touches_[static_cast<std::size_t>(contact.i)] += contact.touch;
+    return touches_;
 }
 
-bool ContactSolver::alone(const Bodies& bodies, int body) const
+bool ContactSolver::takes_part(const Bodies& bodies, const Pair& pair) const
 {
-    const auto b = static_cast<std::size_t>(body);
-    return degree_[b] == 1 && !bodies.label[b].ghost;
+    const Label &a = bodies.label[static_cast<std::size_t>(pair.i)],
+                &b = bodies.label[static_cast<std::size_t>(pair.j)];
+    if (a.ghost + b.ghost == 2 || (a.ghost != b.ghost && (a.ghost == 1) == (a.id < b.id))) return false;
+    if (fixed(bodies, pair.i) && fixed(bodies, pair.j)) return false;
+    return pair.touch || (in_cluster(bodies, pair.i) && in_cluster(bodies, pair.j));
+}
+
+std::vector<int>& ContactSolver::count_users(const Bodies& bodies, const PairSearch& pairs,
+                                             const std::vector<Contact>& walls)
+{
+    users_.assign(bodies.body.size(), 0);
+    const auto use = [&](int body) {
+        if (in_cluster(bodies, body)) users_[static_cast<std::size_t>(body)] = 1;
+    };
+    for (const Pair& pair : pairs)
+        if (takes_part(bodies, pair)) {
+            use(pair.i);
+            use(pair.j);
+        }
+    for (const Contact& contact : walls)
+        use(contact.i);
+    return users_;
+}
+
+bool ContactSolver::has_one_touch(const Bodies& bodies, int body) const
+{
+    return fixed(bodies, body) || touches_[static_cast<std::size_t>(body)] == 1;
+}
+
+bool ContactSolver::in_cluster(const Bodies& bodies, int body) const
+{
+    return fixed(bodies, body) || touches_[static_cast<std::size_t>(body)] > 1;
 }
 
 void ContactSolver::resolve(Bodies& bodies, const Contact& contact, const ImpulseMemory& memory)
 {
     if (contact.gap < 0) overlaps_.push_back({contact.i, contact.j, contact.normal, contact.gap});
-    if (alone(bodies, contact.i) && (fixed(bodies, contact.j) || alone(bodies, contact.j)))
+    if (contact.touch && has_one_touch(bodies, contact.i) && has_one_touch(bodies, contact.j))
         resolve_binary(bodies, contact);
-    else
+    else if (contact.touch || in_cluster(bodies, contact.i))
         add_to_cluster(bodies, contact, memory);
 }
 
@@ -94,7 +123,7 @@ void ContactSolver::resolve_binary(Bodies& bodies, const Contact& contact)
     const auto i = static_cast<std::size_t>(contact.i), j = static_cast<std::size_t>(contact.j);
     const auto [arm_i, arm_j] = arms(bodies, contact);
     Sphere a = sphere(bodies.body[i], arm_i), b = sphere(bodies.body[j], arm_j);
-    const double parting = contact.impact ? contact.parting : -std::max(0.0, contact.gap) / step_;
+    const double parting = contact.impact ? contact.parting : -contact.closing;
     const Vector impulse = contact_impulse(a, b, contact.normal, parting,
                                            contact.impact ? contact.law->tangential_restitution : 0.0,
                                            contact.law->friction);
@@ -123,7 +152,7 @@ void ContactSolver::fill(Batch& batch, int lane, const Bodies& bodies, const Con
     batch.arm_j[lane] = static_cast<float>(arm_j);
     batch.mass[lane] = static_cast<float>(1 / (bodies.body[static_cast<std::size_t>(contact.i)].inverse_mass +
                                                bodies.body[static_cast<std::size_t>(contact.j)].inverse_mass));
-    batch.closing[lane] = static_cast<float>(std::max(0.0, contact.gap) / step_);
+    batch.closing[lane] = static_cast<float>(contact.closing);
     batch.friction[lane] = static_cast<float>(contact.law->friction);
 }
 
@@ -134,6 +163,7 @@ void ContactSolver::add_impact(const Bodies& bodies, const Contact& contact, con
     if (k >= impacts_.size()) {
         impacts_.resize(2 * k + 64);
         impact_owners_.resize(impacts_.size());
+        touch_times_.resize(impacts_.size());
     }
     ImpactBatch& batch = impacts_[k];
     if (lane == 0) {
@@ -141,12 +171,8 @@ void ContactSolver::add_impact(const Bodies& bodies, const Contact& contact, con
         impact_owners_[k].fill({});
     }
     impact_owners_[k][static_cast<std::size_t>(lane)] = owner;
+    touch_times_[k][static_cast<std::size_t>(lane)] = static_cast<float>(contact.touch_time);
     fill(batch, lane, bodies, contact);
-    const auto i = static_cast<std::size_t>(contact.i), j = static_cast<std::size_t>(contact.j);
-    const double apart =
-        (vector(bodies.body[j].velocity) - vector(bodies.body[i].velocity)).dot(contact.normal);
-    // along the normal at the moment of touching the gap is what the bodies cross until then
-    batch.closing[lane] = static_cast<float>(-apart * contact.touch_time / step_);
     batch.restitution[lane] = static_cast<float>(contact.law->restitution);
     batch.tangential_restitution[lane] = static_cast<float>(contact.law->tangential_restitution);
 }
@@ -226,6 +252,34 @@ void ContactSolver::separate(const Bodies& bodies, double share, double tolerate
         shift_[i] -= push * a.inverse_mass * overlap.normal;
         shift_[j] += push * b.inverse_mass * overlap.normal;
     }
+}
+
+void ContactSolver::delay_impacts(const Bodies& bodies)
+{
+    pushes_.assign(bodies.body.size(), 0);
+    const auto count = [&](const ContactBatch& batch) {
+        for (int lane = 0; lane < lanes; ++lane)
+            if (batch.impulse[lane] > 0) {
+                ++pushes_[static_cast<std::size_t>(batch.i[lane])];
+                ++pushes_[static_cast<std::size_t>(batch.j[lane])];
+            }
+    };
+    for (std::size_t k = 0; k < resting_places_.count(); ++k)
+        count(resting_[k]);
+    for (std::size_t k = 0; k < impact_places_.count(); ++k)
+        count(impacts_[k]);
+    for (std::size_t k = 0; k < impact_places_.count(); ++k)
+        for (int lane = 0; lane < lanes; ++lane) {
+            const ImpactBatch& batch = impacts_[k];
+            if (batch.impulse[lane] == 0) continue;
+            Vector impulse;  // on j
+            for (int axis = 0; axis < 3; ++axis)
+                impulse[axis] = batch.impulse[lane] * batch.normal[axis][lane] + batch.tangential[axis][lane];
+            const auto i = static_cast<std::size_t>(batch.i[lane]), j = static_cast<std::size_t>(batch.j[lane]);
+            const double time = touch_times_[k][static_cast<std::size_t>(lane)];
+            if (pushes_[i] == 1) shift_[i] += time * bodies.body[i].inverse_mass * impulse;
+            if (pushes_[j] == 1) shift_[j] -= time * bodies.body[j].inverse_mass * impulse;
+        }
 }
 
 void ContactSolver::remember(const Bodies& bodies, ImpulseMemory& memory)

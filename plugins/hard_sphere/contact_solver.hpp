@@ -17,6 +17,12 @@ namespace interphase::hard_sphere {
 /// CMAME 177 (1999) 235; Radjai and Richefeu, Mech. Mater. 41 (2009) 715), from the impulses of the last step.
 class ContactSolver {
 public:
+    /// Counts what touches each body. Of ghosts, the owners know the count.
+    std::vector<int>& count_touches(const Bodies& bodies, const PairSearch& pairs, const std::vector<Contact>& walls);
+
+    /// Counts which bodies of clusters this rank is going to change in its passes: 1 or 0.
+    std::vector<int>& count_users(const Bodies& bodies, const PairSearch& pairs, const std::vector<Contact>& walls);
+
     /// Resolves binary collisions and makes the others ready. A pair across two ranks is resolved by the one that owns
     /// the lower id. `memory` goes by Label::atom. `passes`, at least 2: how many will follow.
     void start(Bodies& bodies, const PairSearch& pairs, const std::vector<Contact>& walls, const Materials& materials,
@@ -29,6 +35,10 @@ public:
     /// Pushes overlapping spheres apart by `share` of what is left of their overlap at the end of the step, without
     /// touching their velocities: no kinetic energy comes from it. `tolerated`: overlap that may stay [m].
     void separate(const Bodies& bodies, double share, double tolerated);
+
+    /// Lets bodies that only an impact has changed move as they came until the moment of touching, as in a binary
+    /// collision.
+    void delay_impacts(const Bodies& bodies);
 
     /// Puts down the impulses of clusters for the next step.
     void remember(const Bodies& bodies, ImpulseMemory& memory);
@@ -52,8 +62,9 @@ private:
         double gap;
     };
 
-    void count_contacts(const Bodies& bodies, const PairSearch& pairs, const std::vector<Contact>& walls);
-    bool alone(const Bodies& bodies, int body) const;
+    bool takes_part(const Bodies& bodies, const Pair& pair) const;
+    bool has_one_touch(const Bodies& bodies, int body) const;
+    bool in_cluster(const Bodies& bodies, int body) const;
     void resolve(Bodies& bodies, const Contact& contact, const ImpulseMemory& memory);
     void resolve_binary(Bodies& bodies, const Contact& contact);
     void add_impact(const Bodies& bodies, const Contact& contact, const Owner& owner);
@@ -72,7 +83,9 @@ private:
     std::vector<std::array<Owner, lanes>> owners_, impact_owners_;
     std::vector<Overlap> overlaps_;
     std::vector<Vector> shift_;
-    std::vector<int> degree_;  ///< contacts of each body [bodies]
+    std::vector<int> touches_, users_;  ///< of each body [bodies]
+    std::vector<int> pushes_;   ///< contacts that gave the body an impulse [bodies]
+    std::vector<std::array<float, lanes>> touch_times_;  ///< of impacts [s]
     std::vector<int> counts_, particles_;
 };
 

@@ -26,6 +26,8 @@ namespace interphase::hard_sphere {
 namespace {
 
 constexpr int grow_callback = 0;
+constexpr int most_parts = 100;
+constexpr double touching_share = 0.1;  // of the margin
 constexpr double usual_reach = 0.3;  // of a diameter: hardly any pair closes a wider gap in a step
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -50,6 +52,15 @@ FixTdhs::FixTdhs(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, 
 
 FixTdhs::~FixTdhs() { atom->delete_callback(id, grow_callback); }
 
+void FixTdhs::post_run()
+{
+    if (shortened_ == 0 || comm->me != 0) return;
+    for (FILE* stream : {screen, logfile})
+        if (stream)
+            std::fprintf(stream, "Fix tdhs resolved contacts in more than one part in %ld steps, for fast spheres\n",
+                         shortened_);
+}
+
 int FixTdhs::setmask() { return LAMMPS_NS::FixConst::INITIAL_INTEGRATE | LAMMPS_NS::FixConst::FINAL_INTEGRATE; }
 
 void FixTdhs::read_arguments(int narg, char** arg)
@@ -58,6 +69,12 @@ void FixTdhs::read_arguments(int narg, char** arg)
     for (int k = 3; k < narg; k += 2) {
         const std::string key = arg[k];
         if (k + 1 >= narg) fail("'" + key + "' needs a value");
+        if (key == "too_fast") {
+            const std::string choice = arg[k + 1];
+            if (choice != "stop" && choice != "shorten") fail("too_fast " + choice + ": give stop or shorten");
+            shortens_ = choice == "shorten";
+            continue;
+        }
         char* end = nullptr;
         const double value = std::strtod(arg[k + 1], &end);
         if (*end || end == arg[k + 1]) fail("'" + key + " " + arg[k + 1] + "': no number");
@@ -71,8 +88,11 @@ void FixTdhs::read_arguments(int narg, char** arg)
             check(value >= 0 && value <= 1, "give a share of a diameter, 0 to 1");
             margin_ = value;
         } else if (key == "separation") {
-            check(value >= 0 && value <= 1, "give the share of an overlap taken away in a step, 0 to 1");
+            check(value >= 0 && value <= 1, "give the share of an overlap taken away in a step by position, 0 to 1");
             share_ = value;
+        } else if (key == "relief") {
+            check(value >= 0 && value <= 1, "give the share of an overlap taken away in a step by velocity, 0 to 1");
+            relief_ = value;
         } else if (key == "tolerated_overlap") {
             check(value >= 0 && value < 1, "give a share of a diameter, 0 to 1");
             tolerated_ = value;
@@ -80,7 +100,8 @@ void FixTdhs::read_arguments(int narg, char** arg)
             check(value >= 0, "give a speed in m/s, not below 0");
             resting_speed_ = value;
         } else {
-            fail("unknown word '" + key + "'; known: passes, margin, separation, tolerated_overlap, resting_speed");
+            fail("unknown word '" + key + "'; known: passes, margin, separation, relief, tolerated_overlap, "
+                 "resting_speed, too_fast");
         }
     }
 }
@@ -158,7 +179,18 @@ void FixTdhs::init()
     smallest_radius_ = -shared_max(-smallest);
     largest_radius_ = shared_max(largest);
     // ghosts as far away as a pair may be that meets within one step
+    sort_by_default();
     comm->cutghostuser = std::max(comm->cutghostuser, 4 * largest_radius_ + neighbor->skin);
+}
+
+void FixTdhs::sort_by_default()
+{
+    // LIGGGHTS sorts particles every 1000 steps if the script says nothing, and takes the bins' width from a pair style
+    constexpr int liggghts_default = 1000;
+    if (atom->sortfreq != liggghts_default) return;
+    std::string words[] = {"sort", std::to_string(liggghts_default), std::to_string(4 * largest_radius_)};
+    char* arguments[] = {words[0].data(), words[1].data(), words[2].data()};
+    atom->modify_params(3, arguments);
 }
 
 void FixTdhs::setup(int)
@@ -179,9 +211,32 @@ void FixTdhs::collect_walls()
 
 void FixTdhs::initial_integrate(int)
 {
+    const TinyIsZero in_this_step;
+    move();
+    for (int part = 1; part < parts_; ++part) {
+        cost_.switch_to(Part::communication);
+        comm->forward_comm();
+        std::fill(push_.begin(), push_.end(), 0.0);
+        resolve_contacts();
+        move();
+    }
+    cost_.switch_to(Part::outside);
+}
+
+void FixTdhs::final_integrate()
+{
+    const TinyIsZero in_this_step;
+    add_forces();
+    choose_parts();
+    resolve_contacts();
+    cost_.switch_to(Part::outside);
+}
+
+void FixTdhs::move()
+{
     cost_.switch_to(Part::integration);
     if (atom->nlocal == 0) return;
-    const double dt = update->dt;
+    const double dt = update->dt / parts_;
     double* x = atom->x[0];
     const double* v = atom->v[0];
     double* shift = shift_.data();
@@ -191,45 +246,44 @@ void FixTdhs::initial_integrate(int)
                 x[k] += dt * v[k] + shift[k];
                 shift[k] = 0;
             }
-    cost_.switch_to(Part::outside);
 }
 
-void FixTdhs::final_integrate()
+void FixTdhs::resolve_contacts()
 {
-    const TinyIsZero in_this_step;
-    cost_.switch_to(Part::integration);
-    add_forces();
-    if (comm->nprocs > 1 || atom->nghost > 0) {
+    if (has_ghosts()) {
         cost_.switch_to(Part::communication);
         message_ = Message::start;
         comm->forward_comm_fix(this);
     }
     cost_.switch_to(Part::search);
-    choose_limits();
     gather();
     const std::size_t spheres = bodies_.size();
     bodies_.body.resize(spheres + 1);
     bodies_.body.back() = Body{};  // of resting walls
-    pairs_.find(bodies_, grid_, limits_.step, limits_.margin);
+    pairs_.find(bodies_, grid_, limits_.step, limits_.margin, limits_.touching);
     cost_.switch_to(Part::walls);
     find_wall_contacts(bodies_, spheres, walls_, materials_, limits_, wall_contacts_);
 
     cost_.switch_to(Part::contacts);
+    counts_ = &solver_.count_touches(bodies_, pairs_, wall_contacts_);
+    if (has_ghosts()) split_masses();
     solver_.start(bodies_, pairs_, wall_contacts_, materials_, limits_, memory_, passes_);
     share_changes();
     for (int k = 0; k < passes_; ++k) {
         solver_.pass(bodies_.body);
         share_changes();
     }
-    solver_.separate(bodies_, share_, tolerated_ * 2 * smallest_radius_);
+    if (has_ghosts()) join_masses();
+    solver_.delay_impacts(bodies_);
+    solver_.separate(bodies_, share_, limits_.tolerated);
     solver_.remember(bodies_, memory_);
     cost_.switch_to(Part::integration);
     scatter();
-    cost_.switch_to(Part::outside);
 }
 
 void FixTdhs::add_forces()
 {
+    cost_.switch_to(Part::integration);
     if (atom->nlocal == 0) return;
     const double dt = update->dt;
     double *v = atom->v[0], *omega = atom->omega[0];
@@ -251,7 +305,7 @@ void FixTdhs::gather()
     const int count = atom->nlocal + atom->nghost;
     places_.resize(at(count));
     for (int i = 0; i < count; ++i) {
-        std::copy_n(atom->x[i], 3, places_[at(i)].centre);
+        copy_three(atom->x[i], places_[at(i)].centre);
         places_[at(i)].radius = atom->radius[i];
     }
     grid_.sort(places_, reach_);
@@ -265,54 +319,108 @@ void FixTdhs::gather()
         bodies_.label[b] = {i, atom->tag[i], atom->type[i] - 1, i >= atom->nlocal};
         bodies_.push[b] = Vector(push_[at(3 * i)], push_[at(3 * i + 1)], push_[at(3 * i + 2)]);
         Body& body = bodies_.body[b];
-        std::copy_n(atom->v[i], 3, body.velocity);
-        std::copy_n(atom->omega[i], 3, body.spin);
+        copy_three(atom->v[i], body.velocity);
+        copy_three(atom->omega[i], body.spin);
         const bool moves = atom->mask[i] & groupbit;
         const double r = atom->radius[i];
         body.inverse_mass = moves ? 1 / atom->rmass[i] : 0;
         body.inverse_inertia = 2.5 * body.inverse_mass / (r * r);
     }
     shared_.resize(at(count));
-    for (std::size_t b = 0; b < bodies_.size(); ++b)
-        if (bodies_.label[b].ghost) shared_[b] = bodies_.body[b];
 }
 
-void FixTdhs::choose_limits()
+void FixTdhs::choose_parts()
 {
     double fastest2 = 0;
     const double* v = atom->nlocal > 0 ? atom->v[0] : nullptr;
     for (int i = 0; i < 3 * atom->nlocal; i += 3)
         fastest2 = std::max(fastest2, v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2]);
-    const double closing = 2 * std::sqrt(shared_max(fastest2)) * update->dt;
-    const double diameter = 2 * smallest_radius_;
-    limits_.step = update->dt;
+    const double fastest = std::sqrt(shared_max(fastest2));
+    const double diameter = 2 * smallest_radius_, widest = 2 * largest_radius_;
+    const double closing = 2 * fastest * update->dt;  // no two spheres close a wider gap in a step
+
+    // Pairs with gaps up to `reach` are looked at; one farther apart has to close that and a diameter to pass unseen.
+    const double bound = diameter + widest;
+    parts_ = std::max(1, static_cast<int>(std::ceil(closing / bound)));
+    if (parts_ > 1 && (!shortens_ || parts_ > most_parts)) {
+        const std::string limit = std::to_string(0.5 * bound / fastest);
+        error->all(FLERR, ("Fix tdhs: a sphere moves at " + std::to_string(fastest) + " m/s, which is " +
+                           std::to_string(fastest * update->dt) + " m in a step; from " + std::to_string(0.5 * bound) +
+                           " m on, spheres may pass through each other. Give a step below " + limit + " s" +
+                           (shortens_ ? ", or find out why it is so fast" : ", or `too_fast shorten`"))
+                              .c_str());
+    }
+    if (parts_ > 1) ++shortened_;
+    limits_.step = update->dt / parts_;
     limits_.margin = margin_ * diameter;
+    limits_.tolerated = tolerated_ * diameter;
+    limits_.relief = relief_;
+    limits_.touching = touching_share * limits_.margin;
     limits_.resting_speed = resting_speed_ >= 0 ? resting_speed_ : 2 * gravity_speed();
-    // Farther than that no two spheres can meet; and what is not looked at must not pass through each other.
-    reach_ = std::max({limits_.margin, std::min(closing, usual_reach * diameter), closing - diameter});
+    reach_ = std::max({limits_.margin, std::min(closing / parts_, usual_reach * diameter), closing / parts_ - diameter});
+}
+
+bool FixTdhs::has_ghosts() const { return comm->nprocs > 1 || atom->nghost > 0; }
+
+void FixTdhs::split_masses()
+{
+    cost_.switch_to(Part::communication);
+    message_ = Message::counts;
+    comm->forward_comm_fix(this);  // how many touches the owners have counted
+
+    counts_ = &solver_.count_users(bodies_, pairs_, wall_contacts_);
+    comm->reverse_comm_fix(this);
+    comm->forward_comm_fix(this);
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        shared_[b] = bodies_.body[b];
+        const int users = std::max(1, (*counts_)[b]);
+        bodies_.body[b].inverse_mass *= users;
+        bodies_.body[b].inverse_inertia *= users;
+    }
+    cost_.switch_to(Part::contacts);
+}
+
+void FixTdhs::join_masses()
+{
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        bodies_.body[b].inverse_mass = shared_[b].inverse_mass;
+        bodies_.body[b].inverse_inertia = shared_[b].inverse_inertia;
+    }
 }
 
 void FixTdhs::share_changes()
 {
-    if (comm->nprocs == 1 && atom->nghost == 0) return;
+    if (!has_ghosts()) return;
     cost_.switch_to(Part::communication);
-    message_ = Message::passes;
+    message_ = Message::changes;
     comm->reverse_comm_fix(this);
+    // a body in parts has the mean velocity of its parts
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        if (bodies_.label[b].ghost) continue;
+        const double share = 1.0 / std::max(1, (*counts_)[b]);
+        Body &body = bodies_.body[b], &before = shared_[b];
+        for (int axis = 0; axis < 3; ++axis) {
+            body.velocity[axis] = before.velocity[axis] + share * (body.velocity[axis] - before.velocity[axis]);
+            body.spin[axis] = before.spin[axis] + share * (body.spin[axis] - before.spin[axis]);
+        }
+        copy_three(body.velocity, before.velocity);
+        copy_three(body.spin, before.spin);
+    }
     comm->forward_comm_fix(this);
     cost_.switch_to(Part::contacts);
 }
 
 void FixTdhs::scatter()
 {
-    if (comm->nprocs > 1 || atom->nghost > 0) {
+    if (has_ghosts()) {
         message_ = Message::shift;
         comm->reverse_comm_fix(this);
     }
     for (int i = 0; i < atom->nlocal; ++i) {
         const auto b = at(body_of_[at(i)]);
-        std::copy_n(bodies_.body[b].velocity, 3, atom->v[i]);
-        std::copy_n(bodies_.body[b].spin, 3, atom->omega[i]);
-        std::copy_n(solver_.shift()[b].data(), 3, &shift_[at(3 * i)]);
+        copy_three(bodies_.body[b].velocity, atom->v[i]);
+        copy_three(bodies_.body[b].spin, atom->omega[i]);
+        copy_three(solver_.shift()[b].data(), &shift_[at(3 * i)]);
     }
 }
 
@@ -329,7 +437,8 @@ double FixTdhs::compute_vector(int k)
         case 0: return static_cast<double>(pairs_.end() - pairs_.begin());
         case 1: return static_cast<double>(solver_.binary_collisions());
         case 2: return static_cast<double>(solver_.cluster_contacts());
-        default: return cost_.seconds(static_cast<Part>(k - 2));
+        case 3: return static_cast<double>(shortened_);
+        default: return cost_.seconds(static_cast<Part>(k - 3));
     }
 }
 

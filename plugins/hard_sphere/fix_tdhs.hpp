@@ -33,6 +33,7 @@ public:
     void setup(int) override;
     void initial_integrate(int) override;
     void final_integrate() override;
+    void post_run() override;
 
     void grow_arrays(int count) override;
     void copy_arrays(int from, int to, int) override;
@@ -50,24 +51,38 @@ public:
     double compute_vector(int k) override;
 
 private:
-    enum class Message { start, passes, shift };
+    enum class Message { start, counts, changes, shift };
 
     void read_arguments(int narg, char** arg);
     void refuse_company();
     Materials read_materials();
+    void sort_by_default();
     void collect_walls();
     double gravity_speed() const;
     void add_forces();
     void gather();
-    void choose_limits();
+    void choose_parts();
+    void move();
+    void resolve_contacts();
+    bool has_ghosts() const;
+
+    /// A body that several ranks change in a pass is, for each, a part of it: the ranks would all give it the whole
+    /// answer otherwise, and shake it (mass splitting: Tonge et al., ACM Trans. Graph. 31 (2012) 105).
+    void split_masses();
+    void join_masses();
     void share_changes();
+
     void scatter();
     double shared_max(double value) const;
 
     // what the script says
-    int passes_ = 4;
-    double margin_ = 0.05, share_ = 0.3, tolerated_ = 1e-3;
-    double resting_speed_ = -1;
+    int passes_ = 3;
+    double margin_ = 0.05, share_ = 0.3, relief_ = 0.1, tolerated_ = 3e-3;
+    double resting_speed_ = -1;  ///< [m/s]; below 0: from gravity
+    bool shortens_ = true;
+
+    int parts_ = 1;       ///< of the step, so that no sphere moves too far in one
+    long shortened_ = 0;  ///< steps of more than one part
 
     Materials materials_;
     std::vector<std::unique_ptr<Wall>> walls_;
@@ -85,8 +100,9 @@ private:
     PairSearch pairs_;
     std::vector<Contact> wall_contacts_;
     ContactSolver solver_;
+    std::vector<int>* counts_ = nullptr;  ///< the solver's, which ranks tell each other
     std::vector<int> body_of_;           ///< [atoms, ghosts included]
-    std::vector<Body> shared_;  ///< of ghosts, as their owners last told
+    std::vector<Body> shared_;  ///< as all ranks last knew them, masses whole [bodies]
     Message message_ = Message::start;
     Cost cost_;
 };

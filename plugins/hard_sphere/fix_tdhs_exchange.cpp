@@ -55,7 +55,9 @@ int FixTdhs::pack_comm(int n, int* list, double* buffer, int, int*)
     double* next = buffer;
     for (int k = 0; k < n; ++k) {
         const int i = list[k];
-        if (message_ == Message::start) {
+        if (message_ == Message::counts) {
+            *next++ = (*counts_)[at(body_of_[at(i)])];
+        } else if (message_ == Message::start) {
             next = std::copy_n(atom->v[i], 3, next);
             next = std::copy_n(atom->omega[i], 3, next);
             next = std::copy_n(&push_[at(3 * i)], 3, next);
@@ -65,14 +67,16 @@ int FixTdhs::pack_comm(int n, int* list, double* buffer, int, int*)
             next = std::copy_n(body.spin, 3, next);
         }
     }
-    return message_ == Message::start ? 9 : 6;
+    return message_ == Message::counts ? 1 : message_ == Message::start ? 9 : 6;
 }
 
 void FixTdhs::unpack_comm(int n, int first, double* buffer)
 {
     const double* next = buffer;
     for (int i = first; i < first + n; ++i) {
-        if (message_ == Message::start) {
+        if (message_ == Message::counts) {
+            (*counts_)[at(body_of_[at(i)])] = static_cast<int>(*next++);
+        } else if (message_ == Message::start) {
             std::copy_n(next, 3, atom->v[i]);
             std::copy_n(next + 3, 3, atom->omega[i]);
             std::copy_n(next + 6, 3, &push_[at(3 * i)]);
@@ -81,7 +85,8 @@ void FixTdhs::unpack_comm(int n, int first, double* buffer)
             const auto b = at(body_of_[at(i)]);
             std::copy_n(next, 3, bodies_.body[b].velocity);
             std::copy_n(next + 3, 3, bodies_.body[b].spin);
-            shared_[b] = bodies_.body[b];
+            copy_three(next, shared_[b].velocity);
+            copy_three(next + 3, shared_[b].spin);
             next += 6;
         }
     }
@@ -92,6 +97,10 @@ int FixTdhs::pack_reverse_comm(int n, int first, double* buffer)
     double* next = buffer;
     for (int i = first; i < first + n; ++i) {
         const auto b = at(body_of_[at(i)]);
+        if (message_ == Message::counts) {
+            *next++ = (*counts_)[b];
+            continue;
+        }
         if (message_ == Message::shift) {
             next = std::copy_n(solver_.shift()[b].data(), 3, next);
             continue;
@@ -101,7 +110,7 @@ int FixTdhs::pack_reverse_comm(int n, int first, double* buffer)
         for (int axis = 0; axis < 3; ++axis)
             *next++ = bodies_.body[b].spin[axis] - shared_[b].spin[axis];
     }
-    return message_ == Message::shift ? 3 : 6;
+    return message_ == Message::counts ? 1 : message_ == Message::shift ? 3 : 6;
 }
 
 void FixTdhs::unpack_reverse_comm(int n, int* list, double* buffer)
@@ -109,6 +118,10 @@ void FixTdhs::unpack_reverse_comm(int n, int* list, double* buffer)
     const double* next = buffer;
     for (int k = 0; k < n; ++k) {
         const auto b = at(body_of_[at(list[k])]);
+        if (message_ == Message::counts) {
+            (*counts_)[b] += static_cast<int>(*next++);
+            continue;
+        }
         if (message_ == Message::shift) {
             solver_.add_shift(b, Vector(next[0], next[1], next[2]));
             next += 3;

@@ -69,7 +69,8 @@ void PairSearch::copy(const Bodies& bodies)
 }
 
 INTERPHASE_CLONES
-void PairSearch::find(const Bodies& bodies, const CellGrid& grid, double step, double margin)
+void PairSearch::find(const Bodies& bodies, const CellGrid& grid, double step, double margin,
+                      double touching)
 {
     copy(bodies);
     if (pairs_.size() < 4096) pairs_.resize(4096);
@@ -77,12 +78,13 @@ void PairSearch::find(const Bodies& bodies, const CellGrid& grid, double step, d
     const float *x = x_.data(), *y = y_.data(), *z = z_.data(), *radius = radius_.data();
     const float *u = u_.data(), *v = v_.data(), *w = w_.data();
     const float dt = static_cast<float>(step), beside = static_cast<float>(margin) + rounding_;
+    const float less = beside - (static_cast<float>(touching) + rounding_);
     const Ints lane{0, 1, 2, 3, 4, 5, 6, 7};
     const Floats zero{}, most = zero + dt, tiny = zero + 1e-30f;
     Pair* pairs = pairs_.data();
     std::size_t room = pairs_.size();
 
-    grid.candidates([&](int i, int first, int last) {
+    grid.candidates([&](int i, int first, int last) __attribute__((always_inline)) {
         const float keep = radius[i] + beside;
         for (int j = first; j < last; j += width) {
             const Floats dx = load(x + j) - x[i], dy = load(y + j) - y[i], dz = load(z + j) - z[i];
@@ -100,8 +102,12 @@ void PairSearch::find(const Bodies& bodies, const CellGrid& grid, double step, d
                 pairs = pairs_.data();
                 room = pairs_.size();
             }
-            for (; near != 0; near &= near - 1)
-                pairs[count++] = {i, j + __builtin_ctz(near)};
+            const Floats hits = within - less;
+            const unsigned touch = bits((nearest < hits * hits) & (lane + j < last));
+            for (; near != 0; near &= near - 1) {
+                const int k = __builtin_ctz(near);
+                pairs[count++] = {i, j + k, touch >> k & 1};
+            }
         }
     });
     used_ = count;

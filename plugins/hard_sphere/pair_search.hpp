@@ -8,16 +8,19 @@
 
 namespace interphase::hard_sphere {
 
-/// Pairs (i, j) of places in Bodies.
+/// Places in Bodies of two spheres.
 struct Pair {
-    int i, j;
+    int i;
+    int j : 31;
+    unsigned touch : 1;  ///< they touch within the step, or all but do
 };
 
 /// Finds the pairs that come nearer than `margin` on their straight paths within a step.
 class PairSearch {
 public:
     /// `bodies` in the order of `grid`, whose reach was at least `margin` [m]; velocities with the forces of this step.
-    void find(const Bodies& bodies, const CellGrid& grid, double step, double margin);
+    /// Nearer than `touching` [m] counts as a touch.
+    void find(const Bodies& bodies, const CellGrid& grid, double step, double margin, double touching);
 
     const Pair* begin() const { return pairs_.data(); }
     const Pair* end() const { return pairs_.data() + used_; }

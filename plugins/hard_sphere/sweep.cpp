@@ -215,7 +215,7 @@ void sweep(std::vector<Body>& bodies, std::vector<ContactBatch>& batches, std::s
 {
     Body* body = bodies.data();
     ContactBatch* batch = batches.data();
-    each(count, direction, [=](std::size_t k) { resolve(body, batch[k]); });
+    each(count, direction, [=](std::size_t k) __attribute__((always_inline)) { resolve(body, batch[k]); });
 }
 
 INTERPHASE_CLONES
@@ -224,7 +224,7 @@ void sweep(std::vector<Body>& bodies, std::vector<ImpactBatch>& batches, std::si
 {
     Body* body = bodies.data();
     ImpactBatch* batch = batches.data();
-    each(count, direction, [=](std::size_t k) { resolve(body, batch[k], phase); });
+    each(count, direction, [=](std::size_t k) __attribute__((always_inline)) { resolve(body, batch[k], phase); });
 }
 
 }  // namespace interphase::hard_sphere

@@ -24,13 +24,16 @@ void find_wall_contacts(Bodies& bodies, std::size_t spheres, const std::vector<s
                 const Vector meeting = point.velocity - velocity;
                 const double end = point.gap + limits.step * meeting.dot(point.normal);
                 if (std::min(point.gap, end) > limits.margin) continue;
-                Contact contact{static_cast<int>(i), static_cast<int>(spheres), point.normal, point.gap, false, 0, 0,
+                Contact contact{static_cast<int>(i), static_cast<int>(spheres), point.normal, point.gap,
+                                point.gap > 0 ? point.gap / limits.step : relieving_speed(point.gap, limits),
+                                std::min(point.gap, end) < limits.touching, false,
+                                0, 0,
                                 &materials.between(bodies.label[i].type, wall.type()),
                                 -1 - static_cast<int>(w) - static_cast<int>(walls.size()) * point.element};
                 if (!point.velocity.isZero()) {
                     contact.j = static_cast<int>(bodies.body.size());
                     bodies.body.emplace_back();
-                    std::copy_n(point.velocity.data(), 3, bodies.body.back().velocity);
+                    copy_three(point.velocity.data(), bodies.body.back().velocity);
                 }
                 if (end < 0 && end < point.gap) {
                     contact.touch_time = limits.step * std::max(0.0, point.gap) / (point.gap - end);

@@ -119,7 +119,7 @@ class Dictionary(SpoiledCase):
         self.misspelt(COUPLING, r"maximumPacking\s+0.74;", "maximumPacking much;", r"`maximumPacking much;`", "number")
 
     def test_too_few_steps_per_collision(self):
-        self.misspelt(COUPLING, r"stepsPerCollision\s+20;", "stepsPerCollision 3;", r"`stepsPerCollision 3;`", "at least 10")
+        self.misspelt(COUPLING, r"script\s+\S+;", 'script "dem/in.liggghts"; stepsPerCollision 3;', r"`stepsPerCollision 3;`", "at least 10")
 
     def test_syntax(self):
         """A brace that is missing: OpenFOAM's own words, and the file."""
@@ -171,7 +171,7 @@ class Scene(SpoiledCase):
 
     def test_particle_of_infinite_velocity(self):
         def spoil(folder):
-            self.edit(folder, SCRIPT, r"^(include .*)$", "include dem/contact.liggghts\nvelocity all set 0 0 1e400")
+            self.edit(folder, SCRIPT, r"^(include .*)$", "include dem/CGPM.liggghts\nvelocity all set 0 0 1e400")
 
         self.refused(spoil, r"(is not finite|LIGGGHTS stopped)")
 
@@ -191,7 +191,7 @@ class Scene(SpoiledCase):
 
     def test_solid_step_too_long(self):
         self.refused(
-            self.with_edit(COUPLING, r"stepsPerCollision\s+20;", "solidStep 2e-4;"),
+            self.with_edit(COUPLING, r"script\s+\S+;", 'script "dem/in.liggghts"; solidStep 2e-4;'),
             r"solid step of 0\.0002 s is too long", r"t_c = 0\.0010059\d* s", "solidStep", "t_c/20",
         )  # fmt: skip
 
