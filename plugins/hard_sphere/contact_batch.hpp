@@ -7,7 +7,7 @@ namespace interphase::hard_sphere {
 constexpr int lanes = 4;
 
 /// Four contacts of clusters. Single precision: the same rounded impulse goes to both bodies, so linear momentum is kept
-/// to double precision all the same, and memory traffic is what the passes cost. Empty lanes are zero.
+/// to double precision all the same, and memory traffic is what the passes cost. Empty lanes name a body that nothing moves.
 struct alignas(16) ContactBatch {
     int i[lanes], j[lanes];
     float normal[3][lanes];  ///< from i to j

@@ -36,6 +36,14 @@ void put(const Sphere& sphere, Body& body)
     copy_three(sphere.spin.data(), body.spin);
 }
 
+/// Lanes without a contact name the body of resting walls, which no impulse changes: a pass writes all lanes back.
+void leave_empty(ContactBatch& batch, const Bodies& bodies)
+{
+    const int resting_walls = static_cast<int>(bodies.size());
+    std::fill_n(batch.i, lanes, resting_walls);
+    std::fill_n(batch.j, lanes, resting_walls);
+}
+
 }  // namespace
 
 void ContactSolver::start(Bodies& bodies, const PairSearch& pairs, const std::vector<Contact>& walls,
@@ -168,6 +176,7 @@ void ContactSolver::add_impact(const Bodies& bodies, const Contact& contact, con
     ImpactBatch& batch = impacts_[k];
     if (lane == 0) {
         batch = {};
+        leave_empty(batch, bodies);
         impact_owners_[k].fill({});
     }
     impact_owners_[k][static_cast<std::size_t>(lane)] = owner;
@@ -206,6 +215,7 @@ void ContactSolver::add_resting(Bodies& bodies, const Contact& contact, const Ow
     ContactBatch& batch = resting_[k];
     if (lane == 0) {
         batch = {};
+        leave_empty(batch, bodies);
         owners_[k].fill({});
     }
     fill(batch, lane, bodies, contact);

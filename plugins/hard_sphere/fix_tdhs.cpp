@@ -77,12 +77,12 @@ void FixTdhs::read_arguments(int narg, char** arg)
         }
         char* end = nullptr;
         const double value = std::strtod(arg[k + 1], &end);
-        if (*end || end == arg[k + 1]) fail("'" + key + " " + arg[k + 1] + "': no number");
+        if (*end || end == arg[k + 1] || !std::isfinite(value)) fail("'" + key + " " + arg[k + 1] + "': no number");
         const auto check = [&](bool holds, const char* demand) {
             if (!holds) fail(key + " " + arg[k + 1] + ": " + demand);
         };
         if (key == "passes") {
-            check(value >= 2 && value == std::floor(value), "give a whole number of at least 2");
+            check(value >= 2 && value <= 1000 && value == std::floor(value), "give a whole number, 2 to 1000");
             passes_ = static_cast<int>(value);
         } else if (key == "margin") {
             check(value >= 0 && value <= 1, "give a share of a diameter, 0 to 1");
@@ -132,7 +132,12 @@ Materials FixTdhs::read_materials()
     const int types = atom->ntypes;
     Materials materials(types);
     const auto read = [&](const char* name, double ContactLaw::*member, double most) {
-        Fix* fix = modify->find_fix_property(name, "property/global", "peratomtypepair", types, types, style);
+        Fix* fix = modify->find_fix_property(name, "property/global", "peratomtypepair", types, types, style, false);
+        if (!fix)
+            error->all(FLERR, ("Fix tdhs: the script does not say the " + std::string(name) +
+                               " of the materials; give `fix ID all property/global " + name + " peratomtypepair " +
+                               std::to_string(types) + " ...`, " + std::to_string(types * types) + " numbers")
+                                  .c_str());
         const double* const* values = static_cast<LAMMPS_NS::FixPropertyGlobal*>(fix)->get_array();
         for (int a = 0; a < types; ++a)
             for (int b = 0; b < types; ++b) {
@@ -199,6 +204,12 @@ void FixTdhs::setup(int)
     for (const auto& wall : walls_)
         if (wall->type() < 0 || wall->type() >= atom->ntypes)
             error->all(FLERR, "Fix tdhs: a wall has a type that the simulation box does not know");
+    if (!started_) {  // what meets in the very first step
+        started_ = true;
+        std::fill(push_.begin(), push_.end(), 0.0);
+        choose_parts();
+        resolve_contacts();
+    }
     cost_.switch_to(Part::outside);
 }
 

@@ -81,6 +81,8 @@ private:
     double resting_speed_ = -1;  ///< [m/s]; below 0: from gravity
     bool shortens_ = true;
 
+    bool started_ = false;
+
     int parts_ = 1;       ///< of the step, so that no sphere moves too far in one
     long shortened_ = 0;  ///< steps of more than one part
 

@@ -3,6 +3,7 @@
 
 #include <mpi.h>
 
+#include <cmath>
 #include <cstdlib>
 
 #include "atom.h"
@@ -42,15 +43,16 @@ double FixWallTdhs::number(const char* word) const
 {
     char* end = nullptr;
     const double value = std::strtod(word, &end);
-    if (*end || end == word) complain("'" + std::string(word) + "' is no number" + usage);
+    if (*end || end == word || !std::isfinite(value)) complain("'" + std::string(word) + "' is no number" + usage);
     return value;
 }
 
 void FixWallTdhs::read_primitive(int narg, char** arg)
 {
     if (narg < 8 || std::string(arg[4]) != "type") complain(std::string("too few words") + usage);
-    type_ = static_cast<int>(number(arg[5])) - 1;
-    if (type_ < 0 || type_ >= atom->ntypes)
+    const double type = number(arg[5]);
+    type_ = static_cast<int>(type) - 1;
+    if (type != std::floor(type) || type_ < 0 || type_ >= atom->ntypes)
         complain("type " + std::string(arg[5]) + " is none of the " + std::to_string(atom->ntypes) +
                  " types of this simulation box");
     primitive_ = arg[6];
