@@ -81,7 +81,7 @@ class BadInput(HardSphereTest):
 
     def test_wall_without_the_fix(self):
         """A wall that nothing heeds would let spheres fall through."""
-        self.refused("wall0", "tdhs", fixes="fix other all nve/sphere\n")
+        self.refused("wall0", "tdhs", fixes="fix other all nve/sphere\n", thermo="step atoms ke")
 
     def test_walls(self):
         for wall, patterns in (
