@@ -67,21 +67,18 @@ class Floor(HardSphereTest):
     def rolling(self):
         """Through the middle, along edges, across corners, and any way."""
         draw = numpy.random.default_rng(2)
-        start = [[-0.3, -0.3], [-0.3, 0.0], [0.0, -0.45], [-0.4, 0.4], *draw.uniform(-0.4, 0.4, (16, 2))]
-        heading = [[1, 1], [1, 0], [0, 1], [1, -1], *draw.normal(size=(16, 2))]
+        start = [[-0.3, -0.3], [-0.3, 0.0], [0.0, -0.45], [-0.4, 0.4], *draw.uniform(-0.4, 0.4, (4, 2))]
+        heading = [[1, 1], [1, 0], [0, 1], [1, -1], *draw.normal(size=(4, 2))]
         heading = numpy.array(heading) / numpy.linalg.norm(heading, axis=1, keepdims=True)
         start = numpy.array(start)
         n = len(start)
         return Spheres(2 * RADIUS, numpy.column_stack([start, numpy.full(n, RADIUS)]), numpy.column_stack([heading, numpy.zeros(n)]))
 
     def test_sliding_over_edges_without_friction(self):
-        # so few and so fast that none meets another is too much to ask: speeds are compared where none has (type 1 with itself: e = 1)
         spheres = self.rolling()
         for k in range(len(spheres.position)):
             alone = Spheres(2 * RADIUS, spheres.position[k], spheres.velocity[k])
-            if k >= 8:
-                break
-            for name, h in self.histories(alone, 2e-4, 1500, e=0.9):
+            for name, h in self.histories(alone, 5e-4, 600, e=0.9):
                 speed = numpy.linalg.norm(h.velocity[:, 0], axis=1)
                 off = abs(speed - 1).max()
                 rise = abs(h.position[:, 0, 2] / RADIUS - 1).max()
@@ -186,32 +183,40 @@ class Box(HardSphereTest):
 class Cylinder(HardSphereTest):
     RADIUS = 0.03
 
+    def flight(self, axis, e, step, time=1.0):
+        """Bounces round in the cylinder; (how far out the centre comes, over the radius; change of the angular momentum about the
+        axis; energy, its first value 1; change of the velocity along the axis)."""
+        along, first, second = (("xyz".index(axis) + k) % 3 for k in range(3))
+        position, velocity = numpy.zeros((1, 3)), numpy.zeros((1, 3))
+        position[0, first], velocity[0, first], velocity[0, second], velocity[0, along] = 0.011, 0.37, 0.9, 0.01
+        scene = Scene(Spheres(2 * RADIUS, position + 0.002, velocity), (-0.1,) * 3, (0.1,) * 3, e=e,
+                      walls=(f"primitive type 2 {axis}cylinder {self.RADIUS} 0.002 0.002",))  # fmt: skip
+        h = self.run_scene(scene, step, round(time / step)).history()
+        x, v = h.position[:, 0] - 0.002, h.velocity[:, 0]
+        out = (numpy.hypot(x[:, first], x[:, second]).max() + RADIUS - self.RADIUS) / RADIUS
+        turn = x[:, first] * v[:, second] - x[:, second] * v[:, first]
+        energy = (v**2).sum(axis=1) / (velocity**2).sum()
+        print(f"{axis}cylinder, e = {e}, step {step}: out by {out:.1e} r, angular momentum {turn.min() / turn[0] - 1:+.1e} "
+              f"{turn.max() / turn[0] - 1:+.1e}, energy {energy.min():.6f} to {energy.max():.6f}")
+        return out, abs(turn / turn[0] - 1).max(), energy, abs(v[:, along] / 0.01 - 1).max()
+
     def test_a_sphere_stays_in_a_frictionless_cylinder(self):
         for axis in "xyz":
             for e in (1.0, 0.8):
-                first, second = ((k + "xyz".index(axis) + 1) % 3 for k in range(2))
-                position, velocity = numpy.zeros((1, 3)), numpy.zeros((1, 3))
-                position[0, first], velocity[0, first], velocity[0, second] = 0.011, 0.37, 0.9
-                velocity[0, "xyz".index(axis)] = 0.01
-                scene = Scene(Spheres(2 * RADIUS, position + 0.002, velocity), (-0.1,) * 3, (0.1,) * 3, e=e,
-                              walls=(f"primitive type 2 {axis}cylinder {self.RADIUS} 0.002 0.002",))  # fmt: skip
-                h = self.run_scene(scene, 1e-4, 20000 if e == 1 else 20000, every=1).history()
-                x = h.position[:, 0] - 0.002
-                out = numpy.hypot(x[:, first], x[:, second]).max() / (self.RADIUS - RADIUS) - 1
-                v = h.velocity[:, 0]
-                turn = x[:, first] * v[:, second] - x[:, second] * v[:, first]
-                energy = (v**2).sum(axis=1) / (velocity**2).sum()
-                along = abs(v[:, "xyz".index(axis)] / 0.01 - 1).max()
-                print(f"{axis}cylinder, e = {e}: the centre is out by {out:.1e} of its bound, angular momentum {turn.min() / turn[0] - 1:+.1e} "
-                      f"{turn.max() / turn[0] - 1:+.1e}, energy {energy.min():.8f} to {energy.max():.8f}, along the axis {along:.1e}")
                 with self.subTest(axis=axis, e=e):
-                    # a straight path of v dt = 1e-4 m leaves the circle by (v dt)^2/(2 R) = 2e-7 m
-                    self.assertLess(out, 1e-5)
-                    self.assertLess(abs(turn / turn[0] - 1).max(), 0.01)
+                    out, turn, energy, along = self.flight(axis, e, 1e-4)
+                    # What slides along a wall (e below 1) may be in it by the overlap that is tolerated, below 1 % of a diameter.
+                    self.assertLess(out, 0.02)
                     self.assertLess(energy.max(), 1 + 1e-9)
                     self.assertLess(along, 1e-12)
                     if e == 1:
                         self.assertGreater(energy.min(), 1 - 1e-9)
+
+    def test_angular_momentum_about_the_axis(self):
+        """The normal of an impact is off by at most v dt/R = 0.004 at the shorter step; 60 impacts may add."""
+        turns = [self.flight("z", 1.0, step)[1] for step in (2e-4, 1e-4)]
+        self.assertLess(turns[1], 0.004)
+
 
     def test_many_stay_in(self):
         """200 spheres in a cylinder with a floor and gravity, from above down to rest."""
