@@ -169,12 +169,13 @@ class HardSphereTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         return folder.name
 
-    def execute(self, scene, step, steps, every=1, ranks=1, files=None):
-        """`files`: texts to put beside the script, by name. Every `every` steps goes to the dump, the start too."""
+    def execute(self, scene, step, steps, every=1, ranks=1, files=None, thermo_every=None):
+        """`files`: texts to put beside the script, by name. Every `every` steps goes to the dump, the start too;
+        `thermo_every` steps to the thermo output, by default as many."""
         folder = self.folder()
         script = scene.script() + (
             f"timestep {step!r}\nthermo_style custom {scene.thermo}\nthermo_modify norm no lost ignore format float %.17g\n"
-            f"thermo {max(1, every)}\n"
+            f"thermo {thermo_every or every}\n"
             f'dump state all custom {every} dump {COLUMNS}\ndump_modify state sort id format "{FORMAT}"\nrun {steps}\n'
         )
         for name, text in {"in.liggghts": script, "spheres.data": scene.data()}.items() | (files or {}).items():
@@ -189,9 +190,9 @@ class HardSphereTest(unittest.TestCase):
         )  # fmt: skip
         return Done(folder, done.returncode, done.stdout + done.stderr, step)
 
-    def run_scene(self, scene, step, steps, every=1, ranks=1, files=None):
+    def run_scene(self, scene, step, steps, every=1, ranks=1, files=None, thermo_every=None):
         """execute(), and demands that the run reaches its end with all spheres."""
-        done = self.execute(scene, step, steps, every, ranks, files)
+        done = self.execute(scene, step, steps, every, ranks, files, thermo_every)
         self.assertEqual(done.code, 0, done.text[-1500:])
         self.assertIn(f" with {len(scene.spheres.position)} atoms", done.text[-1500:])
         return done
