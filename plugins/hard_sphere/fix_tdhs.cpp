@@ -77,12 +77,12 @@ void FixTdhs::read_arguments(int narg, char** arg)
         }
         char* end = nullptr;
         const double value = std::strtod(arg[k + 1], &end);
-        if (*end || end == arg[k + 1] || !std::isfinite(value)) fail("'" + key + " " + arg[k + 1] + "': no number");
+        if (*end || end == arg[k + 1]) fail("'" + key + " " + arg[k + 1] + "': no number");
         const auto check = [&](bool holds, const char* demand) {
             if (!holds) fail(key + " " + arg[k + 1] + ": " + demand);
         };
         if (key == "passes") {
-            check(value >= 2 && value <= 1000 && value == std::floor(value), "give a whole number, 2 to 1000");
+            check(value >= 2 && value <= 1000 && value == std::floor(value), "give a whole number of at least 2, at most 1000");
             passes_ = static_cast<int>(value);
         } else if (key == "margin") {
             check(value >= 0 && value <= 1, "give a share of a diameter, 0 to 1");
@@ -97,7 +97,7 @@ void FixTdhs::read_arguments(int narg, char** arg)
             check(value >= 0 && value < 1, "give a share of a diameter, 0 to 1");
             tolerated_ = value;
         } else if (key == "resting_speed") {
-            check(value >= 0, "give a speed in m/s, not below 0");
+            check(value >= 0 && value < 1e300, "give a speed in m/s, not below 0");
             resting_speed_ = value;
         } else {
             fail("unknown word '" + key + "'; known: passes, margin, separation, relief, tolerated_overlap, "

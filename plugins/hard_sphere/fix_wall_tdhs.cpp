@@ -34,6 +34,12 @@ FixWallTdhs::FixWallTdhs(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : Fix(lmp
         complain("'" + kind + "' is no kind of wall" + usage);
 }
 
+void FixWallTdhs::init()
+{
+    if (!modify->find_fix_style_strict("tdhs", 0))
+        complain("there is no fix tdhs that heeds this wall; add `fix ID all tdhs`, or use wall/gran with a pair_style");
+}
+
 void FixWallTdhs::complain(const std::string& what) const
 {
     error->all(FLERR, ("Fix " + std::string(id) + " wall/tdhs: " + what).c_str());

@@ -26,6 +26,7 @@ public:
     FixWallTdhs(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 
     int setmask() override { return 0; }
+    void init() override;
 
     /// Adds this fix's walls as they stand now. Collective.
     void add_walls(std::vector<std::unique_ptr<Wall>>& walls) const;

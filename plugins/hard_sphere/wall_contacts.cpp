@@ -7,20 +7,28 @@ namespace interphase::hard_sphere {
 
 namespace {
 
-/// Of a wall that is not flat, or ends, the normal where the sphere touches is not the one where it comes from.
-Vector normal_at_touch(const Wall& wall, const Place& from, const Vector& meeting, const Contact& contact)
+/// Of a wall that is not flat, or ends, the normal where the sphere touches is not the one where it comes from: moves
+/// time and normal of `contact` to where it touches (Newton's iteration on the gap).
+void follow_to_touch(Contact& contact, const Wall& wall, const Place& from, const Vector& meeting, double step)
 {
-    if (contact.touch_time == 0) return contact.normal;
-    Place place = from;
-    for (int axis = 0; axis < 3; ++axis)
-        place.centre[axis] -= contact.touch_time * meeting[axis];
-    std::vector<WallPoint> points;
-    wall.near(place, 0.1 * place.radius, points);
-    if (points.empty()) return contact.normal;
-    // of several, the one that continues this contact
-    return std::max_element(points.begin(), points.end(), [&](const WallPoint& a, const WallPoint& b) {
-               return a.normal.dot(contact.normal) < b.normal.dot(contact.normal);
-           })->normal;
+    constexpr int iterations = 3;
+    for (int k = 0; k < iterations && contact.touch_time > 0; ++k) {
+        Place place = from;
+        for (int axis = 0; axis < 3; ++axis)
+            place.centre[axis] -= contact.touch_time * meeting[axis];
+        std::vector<WallPoint> points;
+        wall.near(place, 0.1 * place.radius, points);
+        if (points.empty()) return;
+        // of several, the one that continues this contact
+        const WallPoint& point =
+            *std::max_element(points.begin(), points.end(), [&](const WallPoint& a, const WallPoint& b) {
+                return a.normal.dot(contact.normal) < b.normal.dot(contact.normal);
+            });
+        const double speed = meeting.dot(point.normal);
+        if (speed >= 0) return;
+        contact.normal = point.normal;
+        contact.touch_time = std::clamp(contact.touch_time - point.gap / speed, 0.0, step);
+    }
 }
 
 }  // namespace
@@ -57,7 +65,7 @@ void find_wall_contacts(Bodies& bodies, std::size_t spheres, const std::vector<s
                 }
                 if (end < 0 && end < point.gap) {
                     contact.touch_time = limits.step * std::max(0.0, point.gap) / (point.gap - end);
-                    contact.normal = normal_at_touch(wall, place, meeting, contact);
+                    follow_to_touch(contact, wall, place, meeting, limits.step);
                     judge_impact(contact, meeting, -bodies.push[i], limits);
                 }
                 found.push_back(contact);

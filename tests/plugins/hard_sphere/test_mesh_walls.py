@@ -194,7 +194,9 @@ class Cylinder(HardSphereTest):
         h = self.run_scene(scene, step, round(time / step)).history()
         x, v = h.position[:, 0] - 0.002, h.velocity[:, 0]
         out = (numpy.hypot(x[:, first], x[:, second]).max() + RADIUS - self.RADIUS) / RADIUS
-        turn = x[:, first] * v[:, second] - x[:, second] * v[:, first]
+        # between impacts: in a step with one, the position is still that of before, the velocity that of afterwards
+        free = numpy.append(True, (v[1:] == v[:-1]).all(axis=1))
+        turn = (x[:, first] * v[:, second] - x[:, second] * v[:, first])[free]
         energy = (v**2).sum(axis=1) / (velocity**2).sum()
         print(f"{axis}cylinder, e = {e}, step {step}: out by {out:.1e} r, angular momentum {turn.min() / turn[0] - 1:+.1e} "
               f"{turn.max() / turn[0] - 1:+.1e}, energy {energy.min():.6f} to {energy.max():.6f}")
@@ -213,10 +215,9 @@ class Cylinder(HardSphereTest):
                         self.assertGreater(energy.min(), 1 - 1e-9)
 
     def test_angular_momentum_about_the_axis(self):
-        """The normal of an impact is off by at most v dt/R = 0.004 at the shorter step; 60 impacts may add."""
+        """A smooth wall gives none. What is left is how well Newton's iteration finds the normal where the sphere touches."""
         turns = [self.flight("z", 1.0, step)[1] for step in (2e-4, 1e-4)]
-        self.assertLess(turns[1], 0.004)
-
+        self.assertLess(max(turns), 1e-6)
 
     def test_many_stay_in(self):
         """200 spheres in a cylinder with a floor and gravity, from above down to rest."""
