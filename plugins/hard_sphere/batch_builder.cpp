@@ -12,9 +12,9 @@ BatchPlace BatchBuilder::place(int i, int j, bool fixed_i, bool fixed_j)
     if (!fixed_j) taken |= used_[static_cast<std::size_t>(j)];
     int slot;
     if (~taken == 0) {
-        slot = static_cast<int>(
-            std::max_element(open_.begin(), open_.end(), [](const Open& a, const Open& b) { return a.filled < b.filled; }) -
-            open_.begin());
+        slot = static_cast<int>(std::max_element(open_.begin(), open_.end(),
+                                                 [](const Open& a, const Open& b) { return a.filled < b.filled; }) -
+                                open_.begin());
         close(slot);
     } else {
         slot = __builtin_ctz(~taken);

@@ -43,8 +43,8 @@ struct Label {
     int ghost;  ///< 1 where another rank owns it
 };
 
-/// The spheres of one rank, ghosts included, as structure of arrays. `body` has one more, of resting walls, and may have
-/// those of moving walls behind it.
+/// The spheres of one rank, ghosts included, as structure of arrays. `body` has one more, of resting walls, and may
+/// have those of moving walls behind it.
 struct Bodies {
     std::vector<Body> body;
     std::vector<Place> place;

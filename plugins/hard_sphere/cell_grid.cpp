@@ -58,8 +58,8 @@ int CellGrid::cell_at(const Level& level, const Place& place) const
 {
     int at[3];
     for (std::size_t k = 0; k < 3; ++k)
-        at[k] = static_cast<int>((place.centre[static_cast<std::size_t>(axes_[k])] - level.corner[k]) *
-                                 level.inverse_size);
+        at[k] =
+            static_cast<int>((place.centre[static_cast<std::size_t>(axes_[k])] - level.corner[k]) * level.inverse_size);
     return level.first_cell + (at[0] * level.cells[1] + at[1]) * level.cells[2] + at[2];
 }
 

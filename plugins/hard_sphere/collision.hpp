@@ -18,8 +18,9 @@ struct Sphere {
 /// Velocity of b's surface relative to a's at the point of contact [m/s]. `normal`: unit vector from a to b.
 Vector contact_velocity(const Sphere& a, const Sphere& b, const Vector& normal);
 
-/// The impulse [kg m/s] on b, and its opposite on a, with which the two part at `parting` [m/s] along the normal, unless
-/// they do so anyway, and with -e_t times their tangential velocity, unless friction's limit mu J_n is below that.
+/// The impulse [kg m/s] on b, and its opposite on a, with which the two part at `parting` [m/s] along the normal,
+/// unless they do so anyway, and with -e_t times their tangential velocity, unless friction's limit mu J_n is below
+/// that.
 Vector contact_impulse(const Sphere& a, const Sphere& b, const Vector& normal, double parting,
                        double tangential_restitution, double friction);
 

@@ -59,8 +59,17 @@ Contact contact_of_spheres(const Bodies& bodies, const Pair& pair, const Materia
     const auto [time, touch] = encounter(apart, meeting, touching, limits.step);
     const Vector then = apart + time * meeting;
     const double distance = then.norm();
-    Contact contact{pair.i, pair.j, then / distance, gap, 0, pair.touch == 1, false, time, 0,
-                    &materials.between(bodies.label[a].type, bodies.label[b].type), 0};
+    Contact contact{pair.i,
+                    pair.j,
+                    then / distance,
+                    gap,
+                    0,
+                    pair.touch == 1,
+                    false,
+                    time,
+                    0,
+                    &materials.between(bodies.label[a].type, bodies.label[b].type),
+                    0};
     const double speed = meeting.dot(contact.normal);
     if (touch) {
         contact.closing = -speed * time / limits.step;

@@ -33,12 +33,14 @@ struct StepLimits {
     double resting_speed;  ///< approach below which restitution does not apply [m/s]
 };
 
-/// Whether, when and where two spheres meet is solved for exactly, along their straight paths within the step; for those
-/// that do not meet, the contact is linearised about the point where they are nearest, so that none is braked by
+/// Whether, when and where two spheres meet is solved for exactly, along their straight paths within the step; for
+/// those that do not meet, the contact is linearised about the point where they are nearest, so that none is braked by
 /// another that it passes.
-Contact contact_of_spheres(const Bodies& bodies, const Pair& pair, const Materials& materials, const StepLimits& limits);
+Contact contact_of_spheres(const Bodies& bodies, const Pair& pair, const Materials& materials,
+                           const StepLimits& limits);
 
-/// Contact::closing of an overlap: below 0 where the bodies have to part, to take away what of it is not tolerated [m/s].
+/// Contact::closing of an overlap: below 0 where the bodies have to part, to take away what of it is not tolerated
+/// [m/s].
 double relieving_speed(double gap, const StepLimits& limits);
 
 /// `meeting`: relative velocity with which the bodies move in this step [m/s], forces included; `push`: what forces

@@ -63,8 +63,7 @@ void ContactSolver::start(Bodies& bodies, const PairSearch& pairs, const std::ve
     for (const Contact& contact : walls)
         resolve(bodies, contact, memory);
     for (const Pair& pair : pairs)
-        if (takes_part(bodies, pair))
-            resolve(bodies, contact_of_spheres(bodies, pair, materials, limits), memory);
+        if (takes_part(bodies, pair)) resolve(bodies, contact_of_spheres(bodies, pair, materials, limits), memory);
 }
 
 std::vector<int>& ContactSolver::count_touches(const Bodies& bodies, const PairSearch& pairs,
@@ -132,9 +131,9 @@ void ContactSolver::resolve_binary(Bodies& bodies, const Contact& contact)
     const auto [arm_i, arm_j] = arms(bodies, contact);
     Sphere a = sphere(bodies.body[i], arm_i), b = sphere(bodies.body[j], arm_j);
     const double parting = contact.impact ? contact.parting : -contact.closing;
-    const Vector impulse = contact_impulse(a, b, contact.normal, parting,
-                                           contact.impact ? contact.law->tangential_restitution : 0.0,
-                                           contact.law->friction);
+    const Vector impulse =
+        contact_impulse(a, b, contact.normal, parting, contact.impact ? contact.law->tangential_restitution : 0.0,
+                        contact.law->friction);
     if (impulse.isZero(0)) return;
     ++binary_;
     apply_impulse(a, b, contact.normal, impulse);
@@ -305,9 +304,7 @@ void ContactSolver::remember(const Bodies& bodies, ImpulseMemory& memory)
                 if (impact_owners_[k][static_cast<std::size_t>(lane)].body >= 0 && impacts_[k].impulse[lane] > 0)
                     visit(impacts_[k], impact_owners_[k][static_cast<std::size_t>(lane)], lane, 0.0f);
     };
-    each([&](const ContactBatch&, const Owner& owner, int, float) {
-        ++counts_[static_cast<std::size_t>(owner.body)];
-    });
+    each([&](const ContactBatch&, const Owner& owner, int, float) { ++counts_[static_cast<std::size_t>(owner.body)]; });
     particles_.resize(bodies.size());
     for (std::size_t b = 0; b < bodies.size(); ++b)
         particles_[b] = bodies.label[b].atom;
@@ -315,8 +312,8 @@ void ContactSolver::remember(const Bodies& bodies, ImpulseMemory& memory)
     each([&](const ContactBatch& batch, const Owner& owner, int lane, float share) {
         Remembered entry{owner.partner, {}};
         for (int axis = 0; axis < 3; ++axis)
-            entry.impulse[axis] = share * owner.sign *
-                                  (batch.impulse[lane] * batch.normal[axis][lane] + batch.tangential[axis][lane]);
+            entry.impulse[axis] =
+                share * owner.sign * (batch.impulse[lane] * batch.normal[axis][lane] + batch.tangential[axis][lane]);
         memory.add(bodies.label[static_cast<std::size_t>(owner.body)].atom, entry);
     });
 }

@@ -83,8 +83,8 @@ private:
     std::vector<std::array<Owner, lanes>> owners_, impact_owners_;
     std::vector<Overlap> overlaps_;
     std::vector<Vector> shift_;
-    std::vector<int> touches_, users_;  ///< of each body [bodies]
-    std::vector<int> pushes_;   ///< contacts that gave the body an impulse [bodies]
+    std::vector<int> touches_, users_;                   ///< of each body [bodies]
+    std::vector<int> pushes_;                            ///< contacts that gave the body an impulse [bodies]
     std::vector<std::array<float, lanes>> touch_times_;  ///< of impacts [s]
     std::vector<int> counts_, particles_;
 };

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <ctime>
+#include <chrono>
 #include <cstddef>
 
 namespace interphase::hard_sphere {
@@ -14,8 +14,8 @@ class Cost {
 public:
     void switch_to(Part part)
     {
-        timespec t; clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t); const double now = t.tv_sec + 1e-9 * t.tv_nsec;
-        seconds_[static_cast<std::size_t>(current_)] += now - since_;
+        const auto now = std::chrono::steady_clock::now();
+        seconds_[static_cast<std::size_t>(current_)] += std::chrono::duration<double>(now - since_).count();
         since_ = now;
         current_ = part;
     }
@@ -24,7 +24,7 @@ public:
 private:
     std::array<double, 6> seconds_{};
     Part current_ = Part::outside;
-    double since_ = 0;
+    std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace interphase::hard_sphere

@@ -28,7 +28,7 @@ namespace {
 constexpr int grow_callback = 0;
 constexpr int most_parts = 100;
 constexpr double touching_share = 0.1;  // of the margin
-constexpr double usual_reach = 0.3;  // of a diameter: hardly any pair closes a wider gap in a step
+constexpr double usual_reach = 0.3;     // of a diameter: hardly any pair closes a wider gap in a step
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -82,7 +82,8 @@ void FixTdhs::read_arguments(int narg, char** arg)
             if (!holds) fail(key + " " + arg[k + 1] + ": " + demand);
         };
         if (key == "passes") {
-            check(value >= 2 && value <= 1000 && value == std::floor(value), "give a whole number of at least 2, at most 1000");
+            check(value >= 2 && value <= 1000 && value == std::floor(value),
+                  "give a whole number of at least 2, at most 1000");
             passes_ = static_cast<int>(value);
         } else if (key == "margin") {
             check(value >= 0 && value <= 1, "give a share of a diameter, 0 to 1");
@@ -100,7 +101,8 @@ void FixTdhs::read_arguments(int narg, char** arg)
             check(value >= 0 && value < 1e300, "give a speed in m/s, not below 0");
             resting_speed_ = value;
         } else {
-            fail("unknown word '" + key + "'; known: passes, margin, separation, relief, tolerated_overlap, "
+            fail("unknown word '" + key +
+                 "'; known: passes, margin, separation, relief, tolerated_overlap, "
                  "resting_speed, too_fast");
         }
     }
@@ -116,10 +118,11 @@ void FixTdhs::refuse_company()
                                other.style + ") does, too. Remove one of them")
                                   .c_str());
         if (std::string(other.style).rfind("wall/gran", 0) == 0)
-            error->all(FLERR, (std::string("Fix ") + other.id + " (" + other.style +
-                               ") makes contact forces on walls, but fix tdhs resolves contacts itself. Write wall/tdhs "
-                               "for it, with the words from `primitive` or `mesh` on")
-                                  .c_str());
+            error->all(FLERR,
+                       (std::string("Fix ") + other.id + " (" + other.style +
+                        ") makes contact forces on walls, but fix tdhs resolves contacts itself. Write wall/tdhs "
+                        "for it, with the words from `primitive` or `mesh` on")
+                           .c_str());
     }
     if (force->pair)
         error->all(FLERR,
@@ -142,11 +145,11 @@ Materials FixTdhs::read_materials()
         for (int a = 0; a < types; ++a)
             for (int b = 0; b < types; ++b) {
                 if (!(values[a][b] >= 0 && values[a][b] <= most))
-                    error->all(FLERR, ("Fix tdhs: fix property/global " + std::string(name) + " is " +
-                                       std::to_string(values[a][b]) + " between types " + std::to_string(a + 1) +
-                                       " and " + std::to_string(b + 1) + "; give " +
-                                       (most < 2 ? "0 to 1" : "0 or more"))
-                                          .c_str());
+                    error->all(FLERR,
+                               ("Fix tdhs: fix property/global " + std::string(name) + " is " +
+                                std::to_string(values[a][b]) + " between types " + std::to_string(a + 1) + " and " +
+                                std::to_string(b + 1) + "; give " + (most < 2 ? "0 to 1" : "0 or more"))
+                                   .c_str());
                 materials.between(a, b).*member = values[a][b];
             }
     };
@@ -368,7 +371,8 @@ void FixTdhs::choose_parts()
     limits_.relief = relief_;
     limits_.touching = touching_share * limits_.margin;
     limits_.resting_speed = resting_speed_ >= 0 ? resting_speed_ : 2 * gravity_speed();
-    reach_ = std::max({limits_.margin, std::min(closing / parts_, usual_reach * diameter), closing / parts_ - diameter});
+    reach_ =
+        std::max({limits_.margin, std::min(closing / parts_, usual_reach * diameter), closing / parts_ - diameter});
 }
 
 bool FixTdhs::has_ghosts() const { return comm->nprocs > 1 || atom->nghost > 0; }
@@ -445,11 +449,16 @@ double FixTdhs::shared_max(double value) const
 double FixTdhs::compute_vector(int k)
 {
     switch (k) {
-        case 0: return static_cast<double>(pairs_.end() - pairs_.begin());
-        case 1: return static_cast<double>(solver_.binary_collisions());
-        case 2: return static_cast<double>(solver_.cluster_contacts());
-        case 3: return static_cast<double>(shortened_);
-        default: return cost_.seconds(static_cast<Part>(k - 3));
+        case 0:
+            return static_cast<double>(pairs_.end() - pairs_.begin());
+        case 1:
+            return static_cast<double>(solver_.binary_collisions());
+        case 2:
+            return static_cast<double>(solver_.cluster_contacts());
+        case 3:
+            return static_cast<double>(shortened_);
+        default:
+            return cost_.seconds(static_cast<Part>(k - 3));
     }
 }
 

@@ -103,8 +103,8 @@ private:
     std::vector<Contact> wall_contacts_;
     ContactSolver solver_;
     std::vector<int>* counts_ = nullptr;  ///< the solver's, which ranks tell each other
-    std::vector<int> body_of_;           ///< [atoms, ghosts included]
-    std::vector<Body> shared_;  ///< as all ranks last knew them, masses whole [bodies]
+    std::vector<int> body_of_;            ///< [atoms, ghosts included]
+    std::vector<Body> shared_;            ///< as all ranks last knew them, masses whole [bodies]
     Message message_ = Message::start;
     Cost cost_;
 };

@@ -37,7 +37,8 @@ FixWallTdhs::FixWallTdhs(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : Fix(lmp
 void FixWallTdhs::init()
 {
     if (!modify->find_fix_style_strict("tdhs", 0))
-        complain("there is no fix tdhs that heeds this wall; add `fix ID all tdhs`, or use wall/gran with a pair_style");
+        complain(
+            "there is no fix tdhs that heeds this wall; add `fix ID all tdhs`, or use wall/gran with a pair_style");
 }
 
 void FixWallTdhs::complain(const std::string& what) const
@@ -72,7 +73,8 @@ void FixWallTdhs::read_primitive(int narg, char** arg)
                  std::to_string(narg - 7) + usage);
     for (int k = 7; k < narg; ++k)
         parameters_.push_back(number(arg[k]));
-    if (wanted == 3 && parameters_[0] <= 0) complain("the cylinder's radius is " + std::string(arg[7]) + "; give one above 0");
+    if (wanted == 3 && parameters_[0] <= 0)
+        complain("the cylinder's radius is " + std::string(arg[7]) + "; give one above 0");
 }
 
 void FixWallTdhs::read_meshes(int narg, char** arg)

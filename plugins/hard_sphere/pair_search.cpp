@@ -69,8 +69,7 @@ void PairSearch::copy(const Bodies& bodies)
 }
 
 INTERPHASE_CLONES
-void PairSearch::find(const Bodies& bodies, const CellGrid& grid, double step, double margin,
-                      double touching)
+void PairSearch::find(const Bodies& bodies, const CellGrid& grid, double step, double margin, double touching)
 {
     copy(bodies);
     if (pairs_.size() < 4096) pairs_.resize(4096);

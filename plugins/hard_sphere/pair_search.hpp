@@ -30,7 +30,7 @@ private:
 
     // positions relative to the middle of the spheres, single precision: the margin is wider than their rounding
     std::vector<float> x_, y_, z_, radius_, u_, v_, w_;
-    float rounding_ = 0;  ///< [m]
+    float rounding_ = 0;       ///< [m]
     std::vector<Pair> pairs_;  ///< grows only
     std::size_t used_ = 0;
 };

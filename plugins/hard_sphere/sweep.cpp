@@ -37,12 +37,17 @@ INTERPHASE_INLINE Four rounded(const Four& values)
     return __builtin_convertvector(__builtin_convertvector(values, FourFloats), Four);
 }
 
-INTERPHASE_INLINE Triple wide(const float (&narrow)[3][lanes]) { return {wide(narrow[0]), wide(narrow[1]), wide(narrow[2])}; }
+INTERPHASE_INLINE Triple wide(const float (&narrow)[3][lanes])
+{
+    return {wide(narrow[0]), wide(narrow[1]), wide(narrow[2])};
+}
 
 INTERPHASE_INLINE void transpose(Four& a, Four& b, Four& c, Four& d)
 {
-    const Four ab_low = __builtin_shuffle(a, b, Picks{0, 4, 2, 6}), ab_high = __builtin_shuffle(a, b, Picks{1, 5, 3, 7});
-    const Four cd_low = __builtin_shuffle(c, d, Picks{0, 4, 2, 6}), cd_high = __builtin_shuffle(c, d, Picks{1, 5, 3, 7});
+    const Four ab_low = __builtin_shuffle(a, b, Picks{0, 4, 2, 6}),
+               ab_high = __builtin_shuffle(a, b, Picks{1, 5, 3, 7});
+    const Four cd_low = __builtin_shuffle(c, d, Picks{0, 4, 2, 6}),
+               cd_high = __builtin_shuffle(c, d, Picks{1, 5, 3, 7});
     a = __builtin_shuffle(ab_low, cd_low, Picks{0, 1, 4, 5});
     b = __builtin_shuffle(ab_high, cd_high, Picks{0, 1, 4, 5});
     c = __builtin_shuffle(ab_low, cd_low, Picks{2, 3, 6, 7});
@@ -119,12 +124,12 @@ struct Meeting {
 
 INTERPHASE_INLINE Meeting meet(const Body* bodies, const ContactBatch& batch)
 {
-    Meeting m{load(bodies, batch.i), load(bodies, batch.j), wide(batch.normal), wide(batch.arm_i), wide(batch.arm_j),
-              {}, {}};
-    const Triple rolling = cross({m.arm_a * m.a.spin.x + m.arm_b * m.b.spin.x,
-                                  m.arm_a * m.a.spin.y + m.arm_b * m.b.spin.y,
-                                  m.arm_a * m.a.spin.z + m.arm_b * m.b.spin.z},
-                                 m.normal);
+    Meeting m{
+        load(bodies, batch.i), load(bodies, batch.j), wide(batch.normal), wide(batch.arm_i), wide(batch.arm_j), {}, {}};
+    const Triple rolling =
+        cross({m.arm_a * m.a.spin.x + m.arm_b * m.b.spin.x, m.arm_a * m.a.spin.y + m.arm_b * m.b.spin.y,
+               m.arm_a * m.a.spin.z + m.arm_b * m.b.spin.z},
+              m.normal);
     m.slip = {m.b.velocity.x - m.a.velocity.x - rolling.x, m.b.velocity.y - m.a.velocity.y - rolling.y,
               m.b.velocity.z - m.a.velocity.z - rolling.z};
     m.apart = dot(m.slip, m.normal);
@@ -215,7 +220,8 @@ void sweep(std::vector<Body>& bodies, std::vector<ContactBatch>& batches, std::s
 {
     Body* body = bodies.data();
     ContactBatch* batch = batches.data();
-    each(count, direction, [=](std::size_t k) __attribute__((always_inline)) { resolve(body, batch[k]); });
+    each(
+        count, direction, [=](std::size_t k) __attribute__((always_inline)) { resolve(body, batch[k]); });
 }
 
 INTERPHASE_CLONES
@@ -224,7 +230,8 @@ void sweep(std::vector<Body>& bodies, std::vector<ImpactBatch>& batches, std::si
 {
     Body* body = bodies.data();
     ImpactBatch* batch = batches.data();
-    each(count, direction, [=](std::size_t k) __attribute__((always_inline)) { resolve(body, batch[k], phase); });
+    each(
+        count, direction, [=](std::size_t k) __attribute__((always_inline)) { resolve(body, batch[k], phase); });
 }
 
 }  // namespace interphase::hard_sphere

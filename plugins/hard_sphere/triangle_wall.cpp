@@ -70,8 +70,7 @@ TriangleWall::TriangleWall(int type, std::vector<Triangle> triangles) : Wall(typ
     const auto each = [&](const auto& visit) {
         for (std::size_t t = 0; t < triangles_.size(); ++t) {
             const Triangle& k = triangles_[t];
-            const Range range =
-                cells_around(k[0].cwiseMin(k[1]).cwiseMin(k[2]), k[0].cwiseMax(k[1]).cwiseMax(k[2]));
+            const Range range = cells_around(k[0].cwiseMin(k[1]).cwiseMin(k[2]), k[0].cwiseMax(k[1]).cwiseMax(k[2]));
             for (int z = range.low[2]; z <= range.high[2]; ++z)
                 for (int y = range.low[1]; y <= range.high[1]; ++y)
                     for (int x = range.low[0]; x <= range.high[0]; ++x)
@@ -141,9 +140,7 @@ void TriangleWall::near(const Place& sphere, double reach, std::vector<WallPoint
     });
     std::vector<Candidate> kept;
     for (const Candidate& candidate : candidates) {
-        const auto hides = [&](const Candidate& nearer) {
-            return hidden_by(nearer, candidate, centre, sphere.radius);
-        };
+        const auto hides = [&](const Candidate& nearer) { return hidden_by(nearer, candidate, centre, sphere.radius); };
         if (std::any_of(kept.begin(), kept.end(), hides)) continue;
         kept.push_back(candidate);
         points.push_back({(candidate.point - centre) / candidate.distance, candidate.distance - sphere.radius,

@@ -57,8 +57,11 @@ private:
 class CylinderWall : public Wall {
 public:
     CylinderWall(int type, int axis, double radius, double centre_1, double centre_2)
-        : Wall(type), first_(static_cast<std::size_t>((axis + 1) % 3)), second_(static_cast<std::size_t>((axis + 2) % 3)),
-          radius_(radius), centre_{centre_1, centre_2}
+        : Wall(type),
+          first_(static_cast<std::size_t>((axis + 1) % 3)),
+          second_(static_cast<std::size_t>((axis + 2) % 3)),
+          radius_(radius),
+          centre_{centre_1, centre_2}
     {}
     void near(const Place& sphere, double reach, std::vector<WallPoint>& points) const override;
     bool may_touch(const Place& sphere, double reach) const override;

@@ -52,10 +52,15 @@ void find_wall_contacts(Bodies& bodies, std::size_t spheres, const std::vector<s
                 const Vector meeting = point.velocity - velocity;
                 const double end = point.gap + limits.step * meeting.dot(point.normal);
                 if (std::min(point.gap, end) > limits.margin) continue;
-                Contact contact{static_cast<int>(i), static_cast<int>(spheres), point.normal, point.gap,
+                Contact contact{static_cast<int>(i),
+                                static_cast<int>(spheres),
+                                point.normal,
+                                point.gap,
                                 point.gap > 0 ? point.gap / limits.step : relieving_speed(point.gap, limits),
-                                std::min(point.gap, end) < limits.touching, false,
-                                0, 0,
+                                std::min(point.gap, end) < limits.touching,
+                                false,
+                                0,
+                                0,
                                 &materials.between(bodies.label[i].type, wall.type()),
                                 -1 - static_cast<int>(w) - static_cast<int>(walls.size()) * point.element};
                 if (!point.velocity.isZero()) {

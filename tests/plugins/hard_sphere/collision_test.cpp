@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A collision of two spheres, or of one with a wall, is eqs. 10 to 15 of the paper, with the smaller of its two tangential
-// impulses, and conserves linear and angular momentum.
+// A collision of two spheres, or of one with a wall, is eqs. 10 to 15 of the paper, with the smaller of its two
+// tangential impulses, and conserves linear and angular momentum.
 #include "hard_sphere/collision.hpp"
 
 #include <gtest/gtest.h>
@@ -82,7 +82,8 @@ TEST(Collision, StickingContactReturnsSlipTimesTangentialRestitution)
 TEST(Collision, StickingImpulseIsThatOfEquation11)
 {
     const Vector normal = Vector::UnitX();
-    const Sphere a = sphere(1e-3, 1000, {1, 0.2, 0}, Vector::Zero()), b = sphere(1e-3, 1000, Vector::Zero(), Vector::Zero());
+    const Sphere a = sphere(1e-3, 1000, {1, 0.2, 0}, Vector::Zero()),
+                 b = sphere(1e-3, 1000, Vector::Zero(), Vector::Zero());
     const double reduced = 1 / (a.inverse_mass + b.inverse_mass);
     const Vector impulse = collision_impulse(a, b, normal, {0.84, 0.84, 10});
     EXPECT_NEAR(impulse.x(), 1.84 * reduced, 1e-13 * reduced);
@@ -100,6 +101,7 @@ TEST(Collision, SlidingContactObeysCoulomb)
 
 TEST(Collision, BodiesThatPartGetNothing)
 {
-    const Sphere a = sphere(1e-3, 1000, {-1, 0, 0}, Vector::Zero()), b = sphere(1e-3, 1000, Vector::Zero(), Vector::Zero());
+    const Sphere a = sphere(1e-3, 1000, {-1, 0, 0}, Vector::Zero()),
+                 b = sphere(1e-3, 1000, Vector::Zero(), Vector::Zero());
     EXPECT_TRUE(collision_impulse(a, b, Vector::UnitX(), {1, 1, 1}).isZero(0));
 }
