@@ -7,7 +7,7 @@
 
 namespace interphase::hard_sphere {
 
-std::vector<CellGrid::Level> CellGrid::choose_levels(const std::vector<Place>& places, double reach)
+std::vector<CellGrid::Level> CellGrid::choose_levels(const std::vector<Place>& places, double reach, int slowest)
 {
     std::array<double, 3> low, high;
     low.fill(1e300);
@@ -21,12 +21,11 @@ std::vector<CellGrid::Level> CellGrid::choose_levels(const std::vector<Place>& p
         smallest = std::min(smallest, place.radius);
         largest = std::max(largest, place.radius);
     }
-    std::sort(axes_.begin(), axes_.end(), [&](int a, int b) {
-        const auto extent = [&](int axis) {
-            return high[static_cast<std::size_t>(axis)] - low[static_cast<std::size_t>(axis)];
-        };
-        return extent(a) > extent(b);
-    });
+    const auto extent = [&](int axis) {
+        return high[static_cast<std::size_t>(axis)] - low[static_cast<std::size_t>(axis)];
+    };
+    axes_ = {slowest, (slowest + 1) % 3, (slowest + 2) % 3};
+    if (extent(axes_[1]) < extent(axes_[2])) std::swap(axes_[1], axes_[2]);
 
     std::vector<Level> levels;
     // a few wide cells serve scattered spheres better than millions of empty ones
@@ -63,10 +62,10 @@ int CellGrid::cell_at(const Level& level, const Place& place) const
     return level.first_cell + (at[0] * level.cells[1] + at[1]) * level.cells[2] + at[2];
 }
 
-void CellGrid::sort(const std::vector<Place>& places, double reach)
+void CellGrid::sort(const std::vector<Place>& places, double reach, int slowest)
 {
     const std::size_t n = places.size();
-    levels_ = choose_levels(places, reach);
+    levels_ = choose_levels(places, reach, slowest);
     int cells = 0;
     for (Level& level : levels_) {
         level.first_cell = cells;

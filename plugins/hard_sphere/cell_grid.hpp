@@ -18,8 +18,9 @@ namespace interphase::hard_sphere {
 /// (Ogarko and Luding, Comput. Phys. Commun. 183 (2012) 931.)
 class CellGrid {
 public:
-    /// `reach`: the largest gap between two surfaces that is of interest [m].
-    void sort(const std::vector<Place>& places, double reach);
+    /// `reach`: the largest gap between two surfaces that is of interest [m]; `slowest`: axis along which neighbours in
+    /// memory change last (0 to 2).
+    void sort(const std::vector<Place>& places, double reach, int slowest);
 
     /// order()[k] is the index, as given to sort(), of the sphere that comes k-th. [n]
     const std::vector<int>& order() const { return order_; }
@@ -38,11 +39,11 @@ private:
         int first_sphere, last_sphere;  ///< in the new order
     };
 
-    std::vector<Level> choose_levels(const std::vector<Place>& places, double reach);
+    std::vector<Level> choose_levels(const std::vector<Place>& places, double reach, int slowest);
     int cell_at(const Level& level, const Place& place) const;
 
     static constexpr int most_levels = 8;
-    std::array<int, 3> axes_{2, 0, 1};  ///< slowest to fastest: the longest extent is the slowest
+    std::array<int, 3> axes_{2, 0, 1};  ///< slowest to fastest
     std::vector<Level> levels_;
     std::vector<signed char> level_of_;
     std::vector<int> cell_of_, order_, start_;

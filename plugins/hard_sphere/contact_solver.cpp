@@ -240,10 +240,11 @@ void ContactSolver::add_resting(Bodies& bodies, const Contact& contact, const Ow
     put(b, bodies.body[j]);
 }
 
-void ContactSolver::pass(std::vector<Body>& bodies)
+void ContactSolver::pass(std::vector<Body>& bodies, bool ends_forward)
 {
     const int k = passes_++, release = all_passes_ / 2;
-    const Direction direction = (all_passes_ - k) % 2 == 1 ? Direction::forward : Direction::backward;
+    const bool as_the_last = (all_passes_ - k) % 2 == 1;
+    const Direction direction = as_the_last == ends_forward ? Direction::forward : Direction::backward;
     const Phase phase = k < release ? Phase::compression : k == release ? Phase::release : Phase::after_release;
     sweep(bodies, impacts_, impact_places_.count(), direction, phase);
     sweep(bodies, resting_, resting_places_.count(), direction);

@@ -29,8 +29,8 @@ public:
                const StepLimits& limits, const ImpulseMemory& memory, int passes);
 
     /// One pass over the contacts of clusters. With ghosts, the changes of their velocities have to be collected, and
-    /// shared, after each.
-    void pass(std::vector<Body>& bodies);
+    /// shared, after each. Passes go to and fro through memory; `ends_forward`: the last one goes forward.
+    void pass(std::vector<Body>& bodies, bool ends_forward);
 
     /// Pushes overlapping spheres apart by `share` of what is left of their overlap at the end of the step, without
     /// touching their velocities: no kinetic energy comes from it. `tolerated`: overlap that may stay [m].

@@ -159,19 +159,24 @@ Materials FixTdhs::read_materials()
     return materials;
 }
 
-double FixTdhs::gravity_speed() const
+void FixTdhs::ask_gravity()
 {
     auto* fix = dynamic_cast<LAMMPS_NS::FixGravity*>(modify->find_fix_style("gravity", 0));
-    if (!fix) return 0;
-    double g[3];
-    fix->get_gravity(g);
-    return std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) * update->dt;
+    if (!fix) return;
+    Vector gravity;
+    fix->get_gravity(gravity.data());
+    gravity_ = gravity.norm();
+    Eigen::Index axis;
+    gravity.cwiseAbs().maxCoeff(&axis);
+    up_axis_ = static_cast<int>(axis);
+    up_is_forward_ = gravity[axis] <= 0;
 }
 
 void FixTdhs::init()
 {
     refuse_company();
     materials_ = read_materials();
+    ask_gravity();
 
     double smallest = 1e300, largest = 0;
     for (int i = 0; i < atom->nlocal; ++i) {
@@ -284,7 +289,7 @@ void FixTdhs::resolve_contacts()
     solver_.start(bodies_, pairs_, wall_contacts_, materials_, limits_, memory_, passes_);
     share_changes();
     for (int k = 0; k < passes_; ++k) {
-        solver_.pass(bodies_.body);
+        solver_.pass(bodies_.body, up_is_forward_);
         share_changes();
     }
     if (has_ghosts()) join_masses();
@@ -322,7 +327,7 @@ void FixTdhs::gather()
         copy_three(atom->x[i], places_[at(i)].centre);
         places_[at(i)].radius = atom->radius[i];
     }
-    grid_.sort(places_, reach_);
+    grid_.sort(places_, reach_, up_axis_);
     const std::vector<int>& order = grid_.order();
     bodies_.resize(at(count));
     body_of_.resize(at(count));
@@ -370,7 +375,7 @@ void FixTdhs::choose_parts()
     limits_.tolerated = tolerated_ * diameter;
     limits_.relief = relief_;
     limits_.touching = touching_share * limits_.margin;
-    limits_.resting_speed = resting_speed_ >= 0 ? resting_speed_ : 2 * gravity_speed();
+    limits_.resting_speed = resting_speed_ >= 0 ? resting_speed_ : 2 * gravity_ * update->dt;
     reach_ =
         std::max({limits_.margin, std::min(closing / parts_, usual_reach * diameter), closing / parts_ - diameter});
 }

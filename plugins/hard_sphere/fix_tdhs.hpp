@@ -58,7 +58,7 @@ private:
     Materials read_materials();
     void sort_by_default();
     void collect_walls();
-    double gravity_speed() const;
+    void ask_gravity();
     void add_forces();
     void gather();
     void choose_parts();
@@ -77,9 +77,14 @@ private:
 
     // what the script says
     int passes_ = 3;
-    double margin_ = 0.05, share_ = 0.3, relief_ = 0.1, tolerated_ = 3e-3;
+    double margin_ = 0.05, share_ = 0.3, relief_ = 0, tolerated_ = 3e-3;
     double resting_speed_ = -1;  ///< [m/s]; below 0: from gravity
     bool shortens_ = true;
+
+    // Passes that go along gravity, and upwards last, carry a bed's weight through it at once.
+    double gravity_ = 0;  ///< [m/s2]
+    int up_axis_ = 2;
+    bool up_is_forward_ = true;
 
     bool started_ = false;
 

@@ -204,7 +204,7 @@ class Scene(SpoiledCase):
 
     def test_error_in_the_script(self):
         """LIGGGHTS's own words, and the command that it choked on."""
-        self.refused(self.with_edit(SCRIPT, r"^fix move .*$", "fix move all nve/spere"), "LIGGGHTS stopped",
+        self.refused(self.with_edit("dem/soft_spheres.liggghts", r"^fix move .*$", "fix move all nve/spere"), "LIGGGHTS stopped",
                      r"ERROR.*nve/spere|ERROR.*[Ff]ix style", r"\| fix move all nve/spere", "dem/log.liggghts")  # fmt: skip
 
     def test_variable_that_the_script_lacks(self):
@@ -352,7 +352,7 @@ class DuringTheRun(SpoiledCase):
         """There is no bottom: parcels fall out of the vessel."""
 
         def spoil(folder):
-            self.edit(folder, SCRIPT, r"^fix bottom .*$", "velocity all set 0.0 0.0 -1.0")
+            self.edit(folder, "dem/soft_spheres.liggghts", r"^fix bottom .*$", "velocity all set 0.0 0.0 -1.0")
 
         self.stops(spoil, r"particle \d+ \(rank \d\)", r"at \(\S+ \S+ \S+\)", "walls", rows=1)
 
@@ -362,7 +362,7 @@ class DuringTheRun(SpoiledCase):
         def spoil(folder):
             self.edit(folder, SCRIPT, r"^fix gravity",
                       "group one id 11\nvariable push equal \"(step>100)*1e3\"\nfix push one addforce 0.0 0.0 v_push\nfix gravity")  # fmt: skip
-            self.edit(folder, SCRIPT, r"^fix top .*$", "")
+            self.edit(folder, "dem/soft_spheres.liggghts", r"^fix top .*$", "")
 
         self.stops(spoil, r"1 of 1000 particles were lost", r"particle 11 \(rank \d\)", r"at \(\S+ \S+ \S+\)", rows=4)
 
