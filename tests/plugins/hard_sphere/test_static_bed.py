@@ -14,7 +14,6 @@ sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 import bed  # noqa: E402
 import support  # noqa: E402
 
-
 SECONDS = 1.9  # [s]: the spheres lie after 0.4
 
 
