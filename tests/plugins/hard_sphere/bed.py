@@ -39,7 +39,7 @@ fix front  all wall/tdhs primitive type 2 yplane 0.0
 fix back   all wall/tdhs primitive type 2 yplane ${depth}
 fix bottom all wall/tdhs primitive type 2 zplane 0.0
 fix gravity all gravity 9.81 vector 0.0 0.0 -1.0
-fix move all tdhs
+fix move all tdhs ${words}
 timestep        ${solidStep}
 compute         centre all com
 variable        now equal step*dt
@@ -113,8 +113,8 @@ class Bed:
         lines += [f"{i} {x!r} {y!r} {z!r} 0 0 0" for i, (x, y, z) in enumerate(velocities.tolist(), 1)]
         support.write(path, "\n".join(lines) + "\n")
 
-    def pour(self, folder, seconds, step, ranks=1, timeout=support.LONGEST):
-        """Lets it fall and lie for `seconds` at the solid step `step` [s]: a Lying."""
+    def pour(self, folder, seconds, step, ranks=1, words="passes 3", timeout=support.LONGEST):
+        """Lets it fall and lie for `seconds` at the solid step `step` [s]: a Lying. `words`: of fix tdhs."""
         self.write(os.path.join(folder, "bed.data"))
         support.write(os.path.join(folder, "in.liggghts"), SCRIPT)
         steps = round(seconds / step)
@@ -122,7 +122,7 @@ class Bed:
                    os.path.join(support.BUILD, "plugins", "libhard_sphere.so"), "-in", "in.liggghts", "-screen", "none"]  # fmt: skip
         given = {"width": self.width, "depth": self.depth, "solidStep": step, "steps": steps,
                  "every": max(1, round(0.005 / step)), "skin": 0.6 * self.diameters.max(),
-                 "sortSize": 1.5 * self.diameters.max()}  # fmt: skip
+                 "sortSize": 1.5 * self.diameters.max(), "words": words}  # fmt: skip
         for name, value in given.items():
             command += ["-var", name, f"{value}"]
         if ranks > 1:
