@@ -1,0 +1,54 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A poured bed of hard spheres comes to rest and stays at its height, at steps as long as a collision of soft ones lasts."""
+
+import math
+import os
+import sys
+import unittest
+
+import numpy
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+
+import bed  # noqa: E402
+import support  # noqa: E402
+
+SECONDS = 1.9  # [s]: the spheres lie after 0.4
+
+
+class StaticBed(support.ProgramTest):
+    def lies_still(self, poured, step, unrest=1e-8, **options):
+        diameter = poured.diameters.min()
+        lying = poured.pour(self.root, SECONDS, step, **options)
+        self.assertEqual(lying.count[-1], len(poured.centres), "spheres are lost")
+        self.assertLess(lying.unrest(), unrest, "kinetic energy, over that of the impact")
+        self.assertLess(abs(lying.drift()), 0.005 * diameter, "the height drifts [m/s]")
+        overlaps = lying.overlaps()
+        self.assertGreater(len(overlaps), len(poured.centres), "a bed that stands has contacts")
+        self.assertLess(numpy.percentile(overlaps, 97), 0.01, "percentile 97 of the overlaps, over a diameter")
+        return lying
+
+    def test_equal_spheres(self):
+        d = bed.DIAMETER
+        lying = self.lies_still(bed.Bed(10 * d, 10 * d).equal(1500, d), bed.collision_time(d))
+        packing = len(lying.centres) * math.pi / 6 * d**3 / (100 * d**2 * 2 * lying.height[-1])
+        self.assertGreater(packing, 0.52, "looser than any pour")
+        self.assertLess(packing, 0.64, "denser than random packings are")
+
+    def test_parcels_of_eight(self):
+        d = 2 * bed.DIAMETER
+        step = math.sqrt(8) * bed.collision_time(bed.DIAMETER)
+        self.assertAlmostEqual(step, bed.collision_time(d))
+        self.lies_still(bed.Bed(10 * d, 10 * d).equal(1500, d), step)
+
+    def test_sizes_one_to_four(self):
+        d = bed.DIAMETER
+        # A large sphere has 64 times a small one's mass: impulses need more passes, and large ones go on shaking with
+        # about 1 mm/s. A quarter of the step brings them to rest like the others.
+        poured = bed.Bed(14 * d, 14 * d).mixed(1536, d, 4)
+        self.lies_still(poured, bed.collision_time(d), unrest=1e-5, words="passes 6")
+
+
+if __name__ == "__main__":
+    unittest.main()
