@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -35,29 +36,72 @@ struct alignas(32) Place {
     double radius = 0;             ///< [m]
 };
 
-/// Who a body is.
-struct Label {
-    int atom;   ///< its index in the particle engine
-    int id;     ///< the same on every rank
-    int type;   ///< of material, from 0
-    int ghost;  ///< 1 where another rank owns it
+/// How a sphere moves within the step if it meets nothing, one cache line.
+struct alignas(64) Path {
+    Place place;                     ///< at the start
+    double velocity[3] = {0, 0, 0};  ///< forces included [m/s]
+    double unused = 0;
 };
 
-/// The spheres of one rank, ghosts included, as structure of arrays. `body` has one more, of resting walls, and may
-/// have those of moving walls behind it.
-struct Bodies {
-    std::vector<Body> body;
-    std::vector<Place> place;
-    std::vector<Label> label;
-    std::vector<Vector> push;  ///< change of velocity by forces other than contacts in this step [m/s]; `body` has it
+/// Change of velocity by forces other than contacts in this step [m/s]; Path and Body have it.
+struct alignas(16) Push {
+    float change[3] = {0, 0, 0};
+    float unused = 0;
+};
 
-    std::size_t size() const { return place.size(); }
+/// Paths in single precision, for looks at many spheres at once. Room for a few more behind the last.
+struct Coarse {
+    static constexpr std::size_t behind = 16;
+
+    std::vector<float> centre[3];  ///< from `middle` [m]
+    std::vector<float> radius;     ///< [m]
+    std::vector<float> velocity[3];
+    double middle[3] = {0, 0, 0};
+    double rounding = 0;  ///< of differences between centres, at most [m]
+
+    /// `low`, `high`: what holds all centres, by axis [m].
+    void start(const std::array<double, 3>& low, const std::array<double, 3>& high);
     void resize(std::size_t n)
     {
-        body.resize(n);
-        place.resize(n);
-        label.resize(n);
-        push.resize(n);
+        for (auto* array : {&centre[0], &centre[1], &centre[2], &radius, &velocity[0], &velocity[1], &velocity[2]})
+            array->resize(n + behind, 0.0f);
+    }
+};
+
+/// Who a body is.
+struct Label {
+    int id = 0;           ///< the same on every rank
+    short type = 0;       ///< of material, from 0
+    bool ghost = false;   ///< another rank owns it
+    bool fixed = false;   ///< nothing moves it
+    int remembered = -1;  ///< the first of its entries in ImpulseMemory
+};
+
+/// The spheres of one rank, ghosts included. All arrays have one more, of resting walls; `body` may have those of
+/// moving walls behind it.
+struct Bodies {
+    std::vector<Body> body;
+    std::vector<Path> path;
+    std::vector<Label> label;
+    std::vector<Push> push;
+    Coarse coarse;  ///< without walls
+
+    /// From the paths [first, last).
+    void write_coarse(std::size_t first, std::size_t last);
+
+    std::size_t size() const { return path.empty() ? 0 : path.size() - 1; }
+    void resize(std::size_t n)
+    {
+        body.resize(n + 1);
+        path.resize(n + 1);
+        label.resize(n + 1);
+        push.resize(n + 1);
+        coarse.resize(n);
+        body[n] = {};
+        path[n] = {};
+        label[n] = {};
+        label[n].fixed = true;
+        push[n] = {};
     }
 };
 

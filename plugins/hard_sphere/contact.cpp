@@ -8,8 +8,6 @@ namespace interphase::hard_sphere {
 
 namespace {
 
-constexpr double resting_pushes = 2;
-
 /// The moment within the step at which two spheres touch, or are nearest if they do not.
 struct Encounter {
     double time;
@@ -52,9 +50,10 @@ double relieving_speed(double gap, const StepLimits& limits)
 Contact contact_of_spheres(const Bodies& bodies, const Pair& pair, const Materials& materials, const StepLimits& limits)
 {
     const auto a = static_cast<std::size_t>(pair.i), b = static_cast<std::size_t>(pair.j);
-    const Vector apart = vector(bodies.place[b].centre) - vector(bodies.place[a].centre);
-    const Vector meeting = vector(bodies.body[b].velocity) - vector(bodies.body[a].velocity);
-    const double touching = bodies.place[a].radius + bodies.place[b].radius;
+    const Path &path_a = bodies.path[a], &path_b = bodies.path[b];
+    const Vector apart = vector(path_b.place.centre) - vector(path_a.place.centre);
+    const Vector meeting = vector(path_b.velocity) - vector(path_a.velocity);
+    const double touching = path_a.place.radius + path_b.place.radius;
     const double gap = apart.norm() - touching;
     const auto [time, touch] = encounter(apart, meeting, touching, limits.step);
     const Vector then = apart + time * meeting;
@@ -73,7 +72,7 @@ Contact contact_of_spheres(const Bodies& bodies, const Pair& pair, const Materia
     const double speed = meeting.dot(contact.normal);
     if (touch) {
         contact.closing = -speed * time / limits.step;
-        judge_impact(contact, meeting, bodies.push[b] - bodies.push[a], limits);
+        judge_impact(contact, meeting, vector(bodies.push[b].change) - vector(bodies.push[a].change), limits);
     } else if (gap > 0) {
         contact.closing = (distance - touching) / limits.step - (time > 0 ? speed : 0);
     }

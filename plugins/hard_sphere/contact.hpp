@@ -24,6 +24,9 @@ struct Contact {
     int key;  ///< of a wall's contact, below 0: what its impulse is remembered under; 0 between two spheres
 };
 
+/// Speeds that the forces of so many steps give a contact are none to bounce with.
+constexpr double resting_pushes = 2;
+
 struct StepLimits {
     double step;           ///< [s]
     double margin;         ///< bodies that pass each other by more than this are no contact [m]
@@ -31,6 +34,7 @@ struct StepLimits {
     double tolerated;      ///< overlap that may stay [m]
     double relief;         ///< share of the overlap beyond that which a step takes away
     double resting_speed;  ///< approach below which restitution does not apply [m/s]
+    double farthest;       ///< no sphere moves by more than this in the step [m]
 };
 
 /// Whether, when and where two spheres meet is solved for exactly, along their straight paths within the step; for

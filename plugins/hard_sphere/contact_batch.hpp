@@ -16,15 +16,25 @@ struct alignas(16) ContactBatch {
     float mass[lanes];                 ///< effective, m_e [kg]
     float closing[lanes];              ///< gap / step: contact begins beyond this approach [m/s]
     float friction[lanes];
-    float impulse[lanes];        ///< along the normal, on j [kg m/s]
-    float tangential[3][lanes];  ///< [kg m/s]
+    float impulse[lanes];            ///< along the normal, on j [kg m/s]
+    float tangential[3][lanes];      ///< [kg m/s]
+    float bounce[lanes];             ///< of impacts 1 + e_n; 0: no impact, restitution does not apply
+    float tangential_bounce[lanes];  ///< of impacts 1 + e_t
+    float least[lanes];  ///< of impacts: impulse that restitution gives at least, once compression is over [kg m/s]
 };
 
-/// What impacts have besides.
-struct alignas(16) ImpactBatch : ContactBatch {
-    float restitution[lanes];
-    float tangential_restitution[lanes];
-    float least[lanes];  ///< impulse that restitution gives at least, once compression is over [kg m/s]
+/// What the passes do not need.
+struct BatchNotes {
+    int owner[lanes];         ///< body that remembers the impulse; -1: empty lane
+    int partner[lanes];       ///< what it remembers it under
+    float touch_time[lanes];  ///< of impacts: when within the step [s]
+};
+
+/// Two bodies that overlap at the start of the step.
+struct Overlap {
+    int i, j;
+    float normal[3];
+    float gap;  ///< below 0 [m]
 };
 
 }  // namespace interphase::hard_sphere

@@ -6,23 +6,25 @@
 #include <cmath>
 
 #include "hard_sphere/collision.hpp"
-#include "hard_sphere/sweep.hpp"
+#include "hard_sphere/contact_geometry.hpp"
 
 namespace interphase::hard_sphere {
 
 namespace {
 
-bool fixed(const Bodies& bodies, int body) { return bodies.body[static_cast<std::size_t>(body)].inverse_mass == 0; }
+constexpr int ahead = 12;  // pairs, overlaps
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Distances from the two centres to the point of contact, a wall's being 0. Together they are the distance of the
 /// centres then, which keeps angular momentum.
 std::array<double, 2> arms(const Bodies& bodies, const Contact& contact)
 {
-    const double r_i = bodies.place[static_cast<std::size_t>(contact.i)].radius;
+    const double r_i = bodies.path[at(contact.i)].place.radius;
     if (contact.key < 0) return {r_i, 0};
-    const double r_j = bodies.place[static_cast<std::size_t>(contact.j)].radius;
-    const double stretch = contact.gap > 0 ? 1 : 1 + contact.gap / (r_i + r_j);
-    return {stretch * r_i, stretch * r_j};
+    const double r_j = bodies.path[at(contact.j)].place.radius;
+    const double shorter = 0.5 * std::min(contact.gap, 0.0);
+    return {r_i + shorter, r_j + shorter};
 }
 
 Sphere sphere(const Body& body, double arm)
@@ -36,12 +38,25 @@ void put(const Sphere& sphere, Body& body)
     copy_three(sphere.spin.data(), body.spin);
 }
 
-/// Lanes without a contact name the body of resting walls, which no impulse changes: a pass writes all lanes back.
-void leave_empty(ContactBatch& batch, const Bodies& bodies)
+/// What the making of contacts will not set in lanes without one. They name the body that nothing moves.
+void leave_empty(ContactBatch& batch, int resting_walls)
 {
-    const int resting_walls = static_cast<int>(bodies.size());
-    std::fill_n(batch.i, lanes, resting_walls);
-    std::fill_n(batch.j, lanes, resting_walls);
+    for (int lane = 0; lane < lanes; ++lane) {
+        batch.i[lane] = batch.j[lane] = resting_walls;
+        batch.friction[lane] = 0;
+        for (int axis = 0; axis < 3; ++axis)
+            batch.tangential[axis][lane] = 0;
+        batch.bounce[lane] = batch.tangential_bounce[lane] = 0;
+    }
+}
+
+Overlap overlap_of(const Contact& contact)
+{
+    return {contact.i,
+            contact.j,
+            {static_cast<float>(contact.normal[0]), static_cast<float>(contact.normal[1]),
+             static_cast<float>(contact.normal[2])},
+            static_cast<float>(contact.gap)};
 }
 
 }  // namespace
@@ -55,38 +70,54 @@ void ContactSolver::start(Bodies& bodies, const PairSearch& pairs, const std::ve
     binary_ = 0;
     cluster_contacts_ = 0;
     const std::size_t n = bodies.body.size();
-    impact_places_.start(n);
-    resting_places_.start(n);
+    walls_.places.start(n);
+    spheres_.places.start(n);
     overlaps_.clear();
     shift_.assign(n, Vector::Zero());
 
-    for (const Contact& contact : walls)
-        resolve(bodies, contact, memory);
-    for (const Pair& pair : pairs)
-        if (takes_part(bodies, pair)) resolve(bodies, contact_of_spheres(bodies, pair, materials, limits), memory);
+    for (const Contact& contact : walls) {
+        const Label& label = bodies.label[at(contact.i)];
+        if (contact.touch && has_one_touch(label, contact.i)) {
+            if (contact.gap < 0) overlaps_.push_back(overlap_of(contact));
+            resolve_binary(bodies, contact);
+        } else if (in_cluster(label, contact.i)) {
+            add_wall(bodies, contact, memory);
+        } else if (contact.gap < 0) {
+            overlaps_.push_back(overlap_of(contact));
+        }
+    }
+    start_from_memory(bodies.body, walls_.batches, walls_.places.count());
+
+    for (const Pair& pair : pairs) {
+        __builtin_prefetch(&bodies.label[at(std::min(&pair + 2 * ahead, pairs.end() - 1)->j)]);
+        memory.fetch(bodies.label[at(std::min(&pair + ahead, pairs.end() - 1)->j)].remembered);
+        const Label &a = bodies.label[at(pair.i)], &b = bodies.label[at(pair.j)];
+        if (!takes_part(bodies, pair)) continue;
+        if (pair.touch && has_one_touch(a, pair.i) && has_one_touch(b, pair.j)) {
+            const Contact contact = contact_of_spheres(bodies, pair, materials, limits);
+            if (contact.gap < 0) overlaps_.push_back(overlap_of(contact));
+            resolve_binary(bodies, contact);
+        } else {
+            add(spheres_, bodies, pair.i, pair.j, 0, materials.between(a.type, b.type), memory);
+        }
+    }
+    make_ready(bodies, spheres_.batches, spheres_.notes, spheres_.places.count(), limits, overlaps_);
 }
 
-std::vector<int>& ContactSolver::count_touches(const Bodies& bodies, const PairSearch& pairs,
-                                               const std::vector<Contact>& walls)
+std::vector<int>& ContactSolver::count_touches(const PairSearch& pairs, const std::vector<Contact>& walls)
 {
-    touches_.assign(bodies.body.size(), 0);
-    for (const Pair& pair : pairs)
-        if (pair.touch) {
-            ++touches_[static_cast<std::size_t>(pair.i)];
-            ++touches_[static_cast<std::size_t>(pair.j)];
-        }
+    touches_ = pairs.touches();
     for (const Contact& contact : walls)
-        touches_[static_cast<std::size_t>(contact.i)] += contact.touch;
+        touches_[at(contact.i)] += contact.touch;
     return touches_;
 }
 
 bool ContactSolver::takes_part(const Bodies& bodies, const Pair& pair) const
 {
-    const Label &a = bodies.label[static_cast<std::size_t>(pair.i)],
-                &b = bodies.label[static_cast<std::size_t>(pair.j)];
-    if (a.ghost + b.ghost == 2 || (a.ghost != b.ghost && (a.ghost == 1) == (a.id < b.id))) return false;
-    if (fixed(bodies, pair.i) && fixed(bodies, pair.j)) return false;
-    return pair.touch || (in_cluster(bodies, pair.i) && in_cluster(bodies, pair.j));
+    const Label &a = bodies.label[at(pair.i)], &b = bodies.label[at(pair.j)];
+    if ((a.ghost && b.ghost) || (a.ghost != b.ghost && a.ghost == (a.id < b.id))) return false;
+    if (a.fixed && b.fixed) return false;
+    return pair.touch || (in_cluster(a, pair.i) && in_cluster(b, pair.j));
 }
 
 std::vector<int>& ContactSolver::count_users(const Bodies& bodies, const PairSearch& pairs,
@@ -94,7 +125,7 @@ std::vector<int>& ContactSolver::count_users(const Bodies& bodies, const PairSea
 {
     users_.assign(bodies.body.size(), 0);
     const auto use = [&](int body) {
-        if (in_cluster(bodies, body)) users_[static_cast<std::size_t>(body)] = 1;
+        if (in_cluster(bodies.label[at(body)], body)) users_[at(body)] = 1;
     };
     for (const Pair& pair : pairs)
         if (takes_part(bodies, pair)) {
@@ -106,28 +137,13 @@ std::vector<int>& ContactSolver::count_users(const Bodies& bodies, const PairSea
     return users_;
 }
 
-bool ContactSolver::has_one_touch(const Bodies& bodies, int body) const
-{
-    return fixed(bodies, body) || touches_[static_cast<std::size_t>(body)] == 1;
-}
+bool ContactSolver::has_one_touch(const Label& label, int body) const { return label.fixed || touches_[at(body)] == 1; }
 
-bool ContactSolver::in_cluster(const Bodies& bodies, int body) const
-{
-    return fixed(bodies, body) || touches_[static_cast<std::size_t>(body)] > 1;
-}
-
-void ContactSolver::resolve(Bodies& bodies, const Contact& contact, const ImpulseMemory& memory)
-{
-    if (contact.gap < 0) overlaps_.push_back({contact.i, contact.j, contact.normal, contact.gap});
-    if (contact.touch && has_one_touch(bodies, contact.i) && has_one_touch(bodies, contact.j))
-        resolve_binary(bodies, contact);
-    else if (contact.touch || in_cluster(bodies, contact.i))
-        add_to_cluster(bodies, contact, memory);
-}
+bool ContactSolver::in_cluster(const Label& label, int body) const { return label.fixed || touches_[at(body)] > 1; }
 
 void ContactSolver::resolve_binary(Bodies& bodies, const Contact& contact)
 {
-    const auto i = static_cast<std::size_t>(contact.i), j = static_cast<std::size_t>(contact.j);
+    const auto i = at(contact.i), j = at(contact.j);
     const auto [arm_i, arm_j] = arms(bodies, contact);
     Sphere a = sphere(bodies.body[i], arm_i), b = sphere(bodies.body[j], arm_j);
     const double parting = contact.impact ? contact.parting : -contact.closing;
@@ -146,177 +162,136 @@ void ContactSolver::resolve_binary(Bodies& bodies, const Contact& contact)
     put(b, bodies.body[j]);
 }
 
-template <class Batch>
-void ContactSolver::fill(Batch& batch, int lane, const Bodies& bodies, const Contact& contact)
+BatchPlace ContactSolver::add(Cluster& cluster, const Bodies& bodies, int i, int j, int key, const ContactLaw& law,
+                              const ImpulseMemory& memory)
 {
+    const Label &a = bodies.label[at(i)], &b = bodies.label[at(j)];
+    const bool a_owns = key < 0 || a.id < b.id;
+    const int partner = key < 0 ? key : a_owns ? b.id : a.id;
+    const Remembered* last = memory.find(a_owns ? a.remembered : b.remembered, partner);
+
+    const auto [k, lane] = cluster.places.place(i, j, a.fixed, b.fixed);
+    if (k >= cluster.batches.size()) {
+        cluster.batches.resize(2 * k + 64);
+        cluster.notes.resize(cluster.batches.size());
+    }
+    ContactBatch& batch = cluster.batches[k];
+    BatchNotes& notes = cluster.notes[k];
+    if (lane == 0) leave_empty(batch, static_cast<int>(bodies.size()));
     ++cluster_contacts_;
+    batch.i[lane] = i;
+    batch.j[lane] = j;
+    batch.friction[lane] = static_cast<float>(law.friction);
+    notes.owner[lane] = a_owns ? i : j;
+    notes.partner[lane] = partner;
+    if (last) {
+        // restitution is for bodies that meet, not for those that press on each other already
+        const float sign = a_owns ? 1.0f : -1.0f;
+        for (int axis = 0; axis < 3; ++axis)
+            batch.tangential[axis][lane] = sign * last->impulse[axis];
+        batch.bounce[lane] = 0;
+    } else {
+        for (int axis = 0; axis < 3; ++axis)
+            batch.tangential[axis][lane] = 0;
+        batch.bounce[lane] = static_cast<float>(1 + law.restitution);
+        batch.tangential_bounce[lane] = static_cast<float>(1 + law.tangential_restitution);
+    }
+    return {k, lane};
+}
+
+void ContactSolver::add_wall(const Bodies& bodies, const Contact& contact, const ImpulseMemory& memory)
+{
+    if (contact.gap < 0) overlaps_.push_back(overlap_of(contact));
+    const auto [k, lane] = add(walls_, bodies, contact.i, contact.j, contact.key, *contact.law, memory);
+    ContactBatch& batch = walls_.batches[k];
     const auto [arm_i, arm_j] = arms(bodies, contact);
-    batch.i[lane] = contact.i;
-    batch.j[lane] = contact.j;
     for (int axis = 0; axis < 3; ++axis)
         batch.normal[axis][lane] = static_cast<float>(contact.normal[axis]);
     batch.arm_i[lane] = static_cast<float>(arm_i);
     batch.arm_j[lane] = static_cast<float>(arm_j);
-    batch.mass[lane] = static_cast<float>(1 / (bodies.body[static_cast<std::size_t>(contact.i)].inverse_mass +
-                                               bodies.body[static_cast<std::size_t>(contact.j)].inverse_mass));
+    batch.mass[lane] =
+        static_cast<float>(1 / (bodies.body[at(contact.i)].inverse_mass + bodies.body[at(contact.j)].inverse_mass));
     batch.closing[lane] = static_cast<float>(contact.closing);
-    batch.friction[lane] = static_cast<float>(contact.law->friction);
-}
-
-void ContactSolver::add_impact(const Bodies& bodies, const Contact& contact, const Owner& owner)
-{
-    const auto [k, lane] =
-        impact_places_.place(contact.i, contact.j, fixed(bodies, contact.i), fixed(bodies, contact.j));
-    if (k >= impacts_.size()) {
-        impacts_.resize(2 * k + 64);
-        impact_owners_.resize(impacts_.size());
-        touch_times_.resize(impacts_.size());
-    }
-    ImpactBatch& batch = impacts_[k];
-    if (lane == 0) {
-        batch = {};
-        leave_empty(batch, bodies);
-        impact_owners_[k].fill({});
-    }
-    impact_owners_[k][static_cast<std::size_t>(lane)] = owner;
-    touch_times_[k][static_cast<std::size_t>(lane)] = static_cast<float>(contact.touch_time);
-    fill(batch, lane, bodies, contact);
-    batch.restitution[lane] = static_cast<float>(contact.law->restitution);
-    batch.tangential_restitution[lane] = static_cast<float>(contact.law->tangential_restitution);
-}
-
-void ContactSolver::add_to_cluster(Bodies& bodies, const Contact& contact, const ImpulseMemory& memory)
-{
-    const auto i = static_cast<std::size_t>(contact.i), j = static_cast<std::size_t>(contact.j);
-    Owner owner;
-    if (contact.key < 0)
-        owner = {contact.i, contact.key, 1};
-    else if (bodies.label[i].id < bodies.label[j].id)
-        owner = {contact.i, bodies.label[j].id, 1};
-    else
-        owner = {contact.j, bodies.label[i].id, -1};
-    const Remembered* last = memory.find(bodies.label[static_cast<std::size_t>(owner.body)].atom, owner.partner);
-    // restitution is for bodies that meet, not for those that press on each other already
-    if (contact.impact && !last)
-        add_impact(bodies, contact, owner);
-    else
-        add_resting(bodies, contact, owner, last);
-}
-
-void ContactSolver::add_resting(Bodies& bodies, const Contact& contact, const Owner& owner, const Remembered* last)
-{
-    const auto [k, lane] =
-        resting_places_.place(contact.i, contact.j, fixed(bodies, contact.i), fixed(bodies, contact.j));
-    if (k >= resting_.size()) {
-        resting_.resize(2 * k + 64);
-        owners_.resize(resting_.size());
-    }
-    ContactBatch& batch = resting_[k];
-    if (lane == 0) {
-        batch = {};
-        leave_empty(batch, bodies);
-        owners_[k].fill({});
-    }
-    fill(batch, lane, bodies, contact);
-    owners_[k][static_cast<std::size_t>(lane)] = owner;
-    if (!last) return;
-
-    const Vector before = owner.sign * vector(last->impulse);
-    const double normal = before.dot(contact.normal);
-    if (normal <= 0) return;
-    const Vector tangential = before - normal * contact.normal;
-    batch.impulse[lane] = static_cast<float>(normal);
-    for (int axis = 0; axis < 3; ++axis)
-        batch.tangential[axis][lane] = static_cast<float>(tangential[axis]);
-
-    // with the numbers as they are kept: what a pass takes back is what was given here
-    Vector impulse;
-    for (int axis = 0; axis < 3; ++axis)
-        impulse[axis] = double{batch.impulse[lane]} * batch.normal[axis][lane] + double{batch.tangential[axis][lane]};
-    const auto i = static_cast<std::size_t>(contact.i), j = static_cast<std::size_t>(contact.j);
-    Sphere a = sphere(bodies.body[i], batch.arm_i[lane]), b = sphere(bodies.body[j], batch.arm_j[lane]);
-    apply_impulse(a, b, Vector(batch.normal[0][lane], batch.normal[1][lane], batch.normal[2][lane]), impulse);
-    put(a, bodies.body[i]);
-    put(b, bodies.body[j]);
+    if (!contact.impact) batch.bounce[lane] = 0;
+    walls_.notes[k].touch_time[lane] = static_cast<float>(contact.touch_time);
 }
 
 void ContactSolver::pass(std::vector<Body>& bodies, bool ends_forward)
 {
     const int k = passes_++, release = all_passes_ / 2;
     const bool as_the_last = (all_passes_ - k) % 2 == 1;
-    const Direction direction = as_the_last == ends_forward ? Direction::forward : Direction::backward;
+    const bool forward = as_the_last == ends_forward;
     const Phase phase = k < release ? Phase::compression : k == release ? Phase::release : Phase::after_release;
-    sweep(bodies, impacts_, impact_places_.count(), direction, phase);
-    sweep(bodies, resting_, resting_places_.count(), direction);
+    for (Cluster* cluster : {forward ? &walls_ : &spheres_, forward ? &spheres_ : &walls_})
+        sweep(bodies, cluster->batches, cluster->places.count(), forward ? Direction::forward : Direction::backward,
+              phase);
 }
 
 void ContactSolver::separate(const Bodies& bodies, double share, double tolerated)
 {
-    for (const Overlap& overlap : overlaps_) {
-        const auto i = static_cast<std::size_t>(overlap.i), j = static_cast<std::size_t>(overlap.j);
-        const Body &a = bodies.body[i], &b = bodies.body[j];
-        const Vector moves = step_ * (vector(b.velocity) - vector(a.velocity)) + shift_[j] - shift_[i];
-        const double left = -tolerated - (overlap.gap + moves.dot(overlap.normal));
+    for (std::size_t k = 0; k < overlaps_.size(); ++k) {
+        const Overlap& overlap = overlaps_[k];
+        const Overlap& soon = overlaps_[std::min(k + ahead, overlaps_.size() - 1)];
+        __builtin_prefetch(&bodies.body[at(soon.i)]);
+        __builtin_prefetch(&bodies.body[at(soon.j)]);
+        const Body &a = bodies.body[at(overlap.i)], &b = bodies.body[at(overlap.j)];
+        Vector &shift_a = shift_[at(overlap.i)], &shift_b = shift_[at(overlap.j)];
+        const Vector normal = vector(overlap.normal);
+        const Vector moves = step_ * (vector(b.velocity) - vector(a.velocity)) + shift_b - shift_a;
+        const double left = -tolerated - (overlap.gap + moves.dot(normal));
         if (left <= 0) continue;
         const double push = share * left / (a.inverse_mass + b.inverse_mass);
-        shift_[i] -= push * a.inverse_mass * overlap.normal;
-        shift_[j] += push * b.inverse_mass * overlap.normal;
+        shift_a -= push * a.inverse_mass * normal;
+        shift_b += push * b.inverse_mass * normal;
+    }
+}
+
+void ContactSolver::finish(const Bodies& bodies, const std::vector<int>& particle, ImpulseMemory& memory)
+{
+    pushes_.assign(bodies.body.size(), 0);
+    impacts_.clear();
+    memory.forget();
+    finish(walls_, particle, memory);
+    finish(spheres_, particle, memory);
+    delay_impacts(bodies);
+}
+
+void ContactSolver::finish(const Cluster& cluster, const std::vector<int>& particle, ImpulseMemory& memory)
+{
+    for (std::size_t k = 0; k < cluster.places.count(); ++k) {
+        const ContactBatch& batch = cluster.batches[k];
+        const BatchNotes& notes = cluster.notes[k];
+        for (int lane = 0; lane < lanes; ++lane) {
+            if (batch.impulse[lane] <= 0) continue;
+            ++pushes_[at(batch.i[lane])];
+            ++pushes_[at(batch.j[lane])];
+            Remembered entry{notes.partner[lane], {0, 0, 0}};
+            if (batch.bounce[lane] > 0) {
+                // the next step finds the two at rest against each other, but not pressing
+                impacts_.push_back({&batch, lane, notes.touch_time[lane]});
+            } else {
+                const float sign = notes.owner[lane] == batch.i[lane] ? 1.0f : -1.0f;
+                for (int axis = 0; axis < 3; ++axis)
+                    entry.impulse[axis] =
+                        sign * (batch.impulse[lane] * batch.normal[axis][lane] + batch.tangential[axis][lane]);
+            }
+            memory.add(particle[at(notes.owner[lane])], entry);
+        }
     }
 }
 
 void ContactSolver::delay_impacts(const Bodies& bodies)
 {
-    pushes_.assign(bodies.body.size(), 0);
-    const auto count = [&](const ContactBatch& batch) {
-        for (int lane = 0; lane < lanes; ++lane)
-            if (batch.impulse[lane] > 0) {
-                ++pushes_[static_cast<std::size_t>(batch.i[lane])];
-                ++pushes_[static_cast<std::size_t>(batch.j[lane])];
-            }
-    };
-    for (std::size_t k = 0; k < resting_places_.count(); ++k)
-        count(resting_[k]);
-    for (std::size_t k = 0; k < impact_places_.count(); ++k)
-        count(impacts_[k]);
-    for (std::size_t k = 0; k < impact_places_.count(); ++k)
-        for (int lane = 0; lane < lanes; ++lane) {
-            const ImpactBatch& batch = impacts_[k];
-            if (batch.impulse[lane] == 0) continue;
-            Vector impulse;  // on j
-            for (int axis = 0; axis < 3; ++axis)
-                impulse[axis] = batch.impulse[lane] * batch.normal[axis][lane] + batch.tangential[axis][lane];
-            const auto i = static_cast<std::size_t>(batch.i[lane]), j = static_cast<std::size_t>(batch.j[lane]);
-            const double time = touch_times_[k][static_cast<std::size_t>(lane)];
-            if (pushes_[i] == 1) shift_[i] += time * bodies.body[i].inverse_mass * impulse;
-            if (pushes_[j] == 1) shift_[j] -= time * bodies.body[j].inverse_mass * impulse;
-        }
-}
-
-void ContactSolver::remember(const Bodies& bodies, ImpulseMemory& memory)
-{
-    counts_.assign(bodies.size(), 0);
-    const auto each = [&](const auto& visit) {
-        for (std::size_t k = 0; k < resting_places_.count(); ++k)
-            for (int lane = 0; lane < lanes; ++lane)
-                if (owners_[k][static_cast<std::size_t>(lane)].body >= 0 && resting_[k].impulse[lane] > 0)
-                    visit(resting_[k], owners_[k][static_cast<std::size_t>(lane)], lane, 1.0f);
-        for (std::size_t k = 0; k < impact_places_.count(); ++k)
-            for (int lane = 0; lane < lanes; ++lane)
-                if (impact_owners_[k][static_cast<std::size_t>(lane)].body >= 0 && impacts_[k].impulse[lane] > 0)
-                    visit(impacts_[k], impact_owners_[k][static_cast<std::size_t>(lane)], lane, 0.0f);
-    };
-    each([&](const ContactBatch&, const Owner& owner, int, float) { ++counts_[static_cast<std::size_t>(owner.body)]; });
-    particles_.resize(bodies.size());
-    for (std::size_t b = 0; b < bodies.size(); ++b)
-        particles_[b] = bodies.label[b].atom;
-    memory.reset(particles_, counts_);
-    each([&](const ContactBatch& batch, const Owner& owner, int lane, float share) {
-        Remembered entry{owner.partner, {}};
+    for (const Impact& impact : impacts_) {
+        const ContactBatch& batch = *impact.batch;
+        const int lane = impact.lane;
+        Vector impulse;  // on j
         for (int axis = 0; axis < 3; ++axis)
-            entry.impulse[axis] =
-                share * owner.sign * (batch.impulse[lane] * batch.normal[axis][lane] + batch.tangential[axis][lane]);
-        memory.add(bodies.label[static_cast<std::size_t>(owner.body)].atom, entry);
-    });
+            impulse[axis] = batch.impulse[lane] * batch.normal[axis][lane] + batch.tangential[axis][lane];
+        const std::size_t i = at(batch.i[lane]), j = at(batch.j[lane]);
+        if (pushes_[i] == 1) shift_[i] += impact.touch_time * bodies.body[i].inverse_mass * impulse;
+        if (pushes_[j] == 1) shift_[j] -= impact.touch_time * bodies.body[j].inverse_mass * impulse;
+    }
 }
 
 }  // namespace interphase::hard_sphere

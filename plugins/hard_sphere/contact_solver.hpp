@@ -7,8 +7,10 @@
 #include "hard_sphere/batch_builder.hpp"
 #include "hard_sphere/bodies.hpp"
 #include "hard_sphere/contact.hpp"
+#include "hard_sphere/contact_batch.hpp"
 #include "hard_sphere/impulse_memory.hpp"
 #include "hard_sphere/pair_search.hpp"
+#include "hard_sphere/sweep.hpp"
 
 namespace interphase::hard_sphere {
 
@@ -18,13 +20,13 @@ namespace interphase::hard_sphere {
 class ContactSolver {
 public:
     /// Counts what touches each body. Of ghosts, the owners know the count.
-    std::vector<int>& count_touches(const Bodies& bodies, const PairSearch& pairs, const std::vector<Contact>& walls);
+    std::vector<int>& count_touches(const PairSearch& pairs, const std::vector<Contact>& walls);
 
     /// Counts which bodies of clusters this rank is going to change in its passes: 1 or 0.
     std::vector<int>& count_users(const Bodies& bodies, const PairSearch& pairs, const std::vector<Contact>& walls);
 
     /// Resolves binary collisions and makes the others ready. A pair across two ranks is resolved by the one that owns
-    /// the lower id. `memory` goes by Label::atom. `passes`, at least 2: how many will follow.
+    /// the lower id. `passes`, at least 2: how many will follow.
     void start(Bodies& bodies, const PairSearch& pairs, const std::vector<Contact>& walls, const Materials& materials,
                const StepLimits& limits, const ImpulseMemory& memory, int passes);
 
@@ -36,12 +38,9 @@ public:
     /// touching their velocities: no kinetic energy comes from it. `tolerated`: overlap that may stay [m].
     void separate(const Bodies& bodies, double share, double tolerated);
 
-    /// Lets bodies that only an impact has changed move as they came until the moment of touching, as in a binary
-    /// collision.
-    void delay_impacts(const Bodies& bodies);
-
-    /// Puts down the impulses of clusters for the next step.
-    void remember(const Bodies& bodies, ImpulseMemory& memory);
+    /// Puts down the impulses of clusters for the next step; `particle[b]` is the body's index in `memory`. Bodies that
+    /// only an impact has changed move as they came until the moment of touching, as in a binary collision.
+    void finish(const Bodies& bodies, const std::vector<int>& particle, ImpulseMemory& memory);
 
     /// What moves a sphere in this step besides its velocity [m, bodies].
     const std::vector<Vector>& shift() const { return shift_; }
@@ -51,42 +50,38 @@ public:
     std::size_t cluster_contacts() const { return cluster_contacts_; }
 
 private:
-    struct Owner {
-        int body = -1;  ///< that remembers the impulse
-        int partner;
-        float sign;  ///< +1: the impulse acts on the partner
+    /// Contacts of clusters. The vectors only grow; the builder knows what is in use.
+    struct Cluster {
+        BatchBuilder places;
+        std::vector<ContactBatch> batches;
+        std::vector<BatchNotes> notes;
     };
-    struct Overlap {
-        int i, j;
-        Vector normal;
-        double gap;
+    struct Impact {
+        const ContactBatch* batch;
+        int lane;
+        float touch_time;
     };
 
     bool takes_part(const Bodies& bodies, const Pair& pair) const;
-    bool has_one_touch(const Bodies& bodies, int body) const;
-    bool in_cluster(const Bodies& bodies, int body) const;
-    void resolve(Bodies& bodies, const Contact& contact, const ImpulseMemory& memory);
+    bool has_one_touch(const Label& label, int body) const;
+    bool in_cluster(const Label& label, int body) const;
     void resolve_binary(Bodies& bodies, const Contact& contact);
-    void add_impact(const Bodies& bodies, const Contact& contact, const Owner& owner);
-    void add_to_cluster(Bodies& bodies, const Contact& contact, const ImpulseMemory& memory);
-    void add_resting(Bodies& bodies, const Contact& contact, const Owner& owner, const Remembered* last);
-    template <class Batch>
-    void fill(Batch& batch, int lane, const Bodies& bodies, const Contact& contact);
+    BatchPlace add(Cluster& cluster, const Bodies& bodies, int i, int j, int key, const ContactLaw& law,
+                   const ImpulseMemory& memory);
+    void add_wall(const Bodies& bodies, const Contact& contact, const ImpulseMemory& memory);
+    void finish(const Cluster& cluster, const std::vector<int>& particle, ImpulseMemory& memory);
+    void delay_impacts(const Bodies& bodies);
 
     double step_ = 0;
     int passes_ = 0, all_passes_ = 0;
     long binary_ = 0;
     std::size_t cluster_contacts_ = 0;
-    BatchBuilder impact_places_, resting_places_;
-    std::vector<ImpactBatch> impacts_;  ///< grows only, as the next two: what is in use the builders know
-    std::vector<ContactBatch> resting_;
-    std::vector<std::array<Owner, lanes>> owners_, impact_owners_;
+    Cluster walls_, spheres_;
     std::vector<Overlap> overlaps_;
     std::vector<Vector> shift_;
-    std::vector<int> touches_, users_;                   ///< of each body [bodies]
-    std::vector<int> pushes_;                            ///< contacts that gave the body an impulse [bodies]
-    std::vector<std::array<float, lanes>> touch_times_;  ///< of impacts [s]
-    std::vector<int> counts_, particles_;
+    std::vector<int> touches_, users_;  ///< of each body [bodies]
+    std::vector<int> pushes_;           ///< contacts that gave the body an impulse [bodies]
+    std::vector<Impact> impacts_;
 };
 
 }  // namespace interphase::hard_sphere

@@ -5,15 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <string>
 
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
 #include "fix_gravity.h"
-#include "fix_property_global.h"
-#include "force.h"
 #include "hard_sphere/fix_wall_tdhs.hpp"
 #include "hard_sphere/processor.hpp"
 #include "hard_sphere/wall_contacts.hpp"
@@ -28,6 +25,7 @@ namespace {
 constexpr int grow_callback = 0;
 constexpr int most_parts = 100;
 constexpr double touching_share = 0.1;  // of the margin
+constexpr int ahead = 8;                // spheres
 constexpr double usual_reach = 0.3;     // of a diameter: hardly any pair closes a wider gap in a step
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -62,102 +60,6 @@ void FixTdhs::post_run()
 }
 
 int FixTdhs::setmask() { return LAMMPS_NS::FixConst::INITIAL_INTEGRATE | LAMMPS_NS::FixConst::FINAL_INTEGRATE; }
-
-void FixTdhs::read_arguments(int narg, char** arg)
-{
-    const auto fail = [&](const std::string& what) { error->all(FLERR, ("Fix tdhs: " + what).c_str()); };
-    for (int k = 3; k < narg; k += 2) {
-        const std::string key = arg[k];
-        if (k + 1 >= narg) fail("'" + key + "' needs a value");
-        if (key == "too_fast") {
-            const std::string choice = arg[k + 1];
-            if (choice != "stop" && choice != "shorten") fail("too_fast " + choice + ": give stop or shorten");
-            shortens_ = choice == "shorten";
-            continue;
-        }
-        char* end = nullptr;
-        const double value = std::strtod(arg[k + 1], &end);
-        if (*end || end == arg[k + 1]) fail("'" + key + " " + arg[k + 1] + "': no number");
-        const auto check = [&](bool holds, const char* demand) {
-            if (!holds) fail(key + " " + arg[k + 1] + ": " + demand);
-        };
-        if (key == "passes") {
-            check(value >= 2 && value <= 1000 && value == std::floor(value),
-                  "give a whole number of at least 2, at most 1000");
-            passes_ = static_cast<int>(value);
-        } else if (key == "margin") {
-            check(value >= 0 && value <= 1, "give a share of a diameter, 0 to 1");
-            margin_ = value;
-        } else if (key == "separation") {
-            check(value >= 0 && value <= 1, "give the share of an overlap taken away in a step by position, 0 to 1");
-            share_ = value;
-        } else if (key == "relief") {
-            check(value >= 0 && value <= 1, "give the share of an overlap taken away in a step by velocity, 0 to 1");
-            relief_ = value;
-        } else if (key == "tolerated_overlap") {
-            check(value >= 0 && value < 1, "give a share of a diameter, 0 to 1");
-            tolerated_ = value;
-        } else if (key == "resting_speed") {
-            check(value >= 0 && value < 1e300, "give a speed in m/s, not below 0");
-            resting_speed_ = value;
-        } else {
-            fail("unknown word '" + key +
-                 "'; known: passes, margin, separation, relief, tolerated_overlap, "
-                 "resting_speed, too_fast");
-        }
-    }
-}
-
-void FixTdhs::refuse_company()
-{
-    for (int k = 0; k < modify->nfix; ++k) {
-        const LAMMPS_NS::Fix& other = *modify->fix[k];
-        if (&other == this) continue;
-        if (other.time_integrate)
-            error->all(FLERR, (std::string("Fix tdhs moves the particles itself, but fix ") + other.id + " (" +
-                               other.style + ") does, too. Remove one of them")
-                                  .c_str());
-        if (std::string(other.style).rfind("wall/gran", 0) == 0)
-            error->all(FLERR,
-                       (std::string("Fix ") + other.id + " (" + other.style +
-                        ") makes contact forces on walls, but fix tdhs resolves contacts itself. Write wall/tdhs "
-                        "for it, with the words from `primitive` or `mesh` on")
-                           .c_str());
-    }
-    if (force->pair)
-        error->all(FLERR,
-                   "Fix tdhs resolves contacts itself, but a pair_style does, too. Remove the pair_style, or use fix "
-                   "nve/sphere instead of fix tdhs");
-}
-
-Materials FixTdhs::read_materials()
-{
-    const int types = atom->ntypes;
-    Materials materials(types);
-    const auto read = [&](const char* name, double ContactLaw::*member, double most) {
-        Fix* fix = modify->find_fix_property(name, "property/global", "peratomtypepair", types, types, style, false);
-        if (!fix)
-            error->all(FLERR, ("Fix tdhs: the script does not say the " + std::string(name) +
-                               " of the materials; give `fix ID all property/global " + name + " peratomtypepair " +
-                               std::to_string(types) + " ...`, " + std::to_string(types * types) + " numbers")
-                                  .c_str());
-        const double* const* values = static_cast<LAMMPS_NS::FixPropertyGlobal*>(fix)->get_array();
-        for (int a = 0; a < types; ++a)
-            for (int b = 0; b < types; ++b) {
-                if (!(values[a][b] >= 0 && values[a][b] <= most))
-                    error->all(FLERR,
-                               ("Fix tdhs: fix property/global " + std::string(name) + " is " +
-                                std::to_string(values[a][b]) + " between types " + std::to_string(a + 1) + " and " +
-                                std::to_string(b + 1) + "; give " + (most < 2 ? "0 to 1" : "0 or more"))
-                                   .c_str());
-                materials.between(a, b).*member = values[a][b];
-            }
-    };
-    read("coefficientRestitution", &ContactLaw::restitution, 1);
-    read("tangentialRestitution", &ContactLaw::tangential_restitution, 1);
-    read("coefficientFriction", &ContactLaw::friction, 1e300);
-    return materials;
-}
 
 void FixTdhs::ask_gravity()
 {
@@ -276,15 +178,12 @@ void FixTdhs::resolve_contacts()
     }
     cost_.switch_to(Part::search);
     gather();
-    const std::size_t spheres = bodies_.size();
-    bodies_.body.resize(spheres + 1);
-    bodies_.body.back() = Body{};  // of resting walls
     pairs_.find(bodies_, grid_, limits_.step, limits_.margin, limits_.touching);
     cost_.switch_to(Part::walls);
-    find_wall_contacts(bodies_, spheres, walls_, materials_, limits_, wall_contacts_);
+    find_wall_contacts(bodies_, walls_, materials_, limits_, wall_contacts_);
 
     cost_.switch_to(Part::contacts);
-    counts_ = &solver_.count_touches(bodies_, pairs_, wall_contacts_);
+    counts_ = &solver_.count_touches(pairs_, wall_contacts_);
     if (has_ghosts()) split_masses();
     solver_.start(bodies_, pairs_, wall_contacts_, materials_, limits_, memory_, passes_);
     share_changes();
@@ -293,9 +192,8 @@ void FixTdhs::resolve_contacts()
         share_changes();
     }
     if (has_ghosts()) join_masses();
-    solver_.delay_impacts(bodies_);
+    solver_.finish(bodies_, grid_.order(), memory_);
     solver_.separate(bodies_, share_, limits_.tolerated);
-    solver_.remember(bodies_, memory_);
     cost_.switch_to(Part::integration);
     scatter();
 }
@@ -322,30 +220,49 @@ void FixTdhs::add_forces()
 void FixTdhs::gather()
 {
     const int count = atom->nlocal + atom->nghost;
-    places_.resize(at(count));
-    for (int i = 0; i < count; ++i) {
-        copy_three(atom->x[i], places_[at(i)].centre);
-        places_[at(i)].radius = atom->radius[i];
-    }
-    grid_.sort(places_, reach_, up_axis_);
-    const std::vector<int>& order = grid_.order();
     bodies_.resize(at(count));
     body_of_.resize(at(count));
-    for (std::size_t b = 0; b < order.size(); ++b) {
-        const int i = order[b];
-        body_of_[at(i)] = static_cast<int>(b);
-        bodies_.place[b] = places_[at(i)];
-        bodies_.label[b] = {i, atom->tag[i], atom->type[i] - 1, i >= atom->nlocal};
-        bodies_.push[b] = Vector(push_[at(3 * i)], push_[at(3 * i + 1)], push_[at(3 * i + 2)]);
-        Body& body = bodies_.body[b];
-        copy_three(atom->v[i], body.velocity);
-        copy_three(atom->omega[i], body.spin);
-        const bool moves = atom->mask[i] & groupbit;
+    shared_.resize(at(count));
+    grid_.sort(count > 0 ? atom->x[0] : nullptr, atom->radius, at(count), reach_, up_axis_);
+    bodies_.coarse.start(grid_.low(), grid_.high());
+    constexpr int block = 256;  // what is read twice is still near the processor then
+    for (int first = 0; first < count; first += block) {
+        const int last = std::min(first + block, count);
+        gather(first, last);
+        bodies_.write_coarse(at(first), at(last));
+    }
+}
+
+void FixTdhs::gather(int first, int last)
+{
+    const double *x = atom->x[0], *v = atom->v[0], *omega = atom->omega[0];
+    const std::vector<int>& order = grid_.order();
+    for (int b = first; b < last; ++b) {
+        const int i = order[at(b)];
+        // the engine's order and ours agree roughly only, so the processor cannot know what comes next
+        const int soon = 3 * order[std::min(at(b + ahead), order.size() - 1)];
+        __builtin_prefetch(x + soon);
+        __builtin_prefetch(v + soon);
+        __builtin_prefetch(omega + soon);
+        __builtin_prefetch(&push_[at(soon)]);
+
+        body_of_[at(i)] = b;
         const double r = atom->radius[i];
+        const bool moves = atom->mask[i] & groupbit;
+        Path& path = bodies_.path[at(b)];
+        copy_three(x + 3 * i, path.place.centre);
+        path.place.radius = r;
+        copy_three(v + 3 * i, path.velocity);
+        Body& body = bodies_.body[at(b)];
+        copy_three(v + 3 * i, body.velocity);
+        copy_three(omega + 3 * i, body.spin);
         body.inverse_mass = moves ? 1 / atom->rmass[i] : 0;
         body.inverse_inertia = 2.5 * body.inverse_mass / (r * r);
+        bodies_.label[at(b)] = {atom->tag[i], static_cast<short>(atom->type[i] - 1), i >= atom->nlocal, !moves,
+                                memory_.first(i)};
+        for (int axis = 0; axis < 3; ++axis)
+            bodies_.push[at(b)].change[axis] = static_cast<float>(push_[at(3 * i + axis)]);
     }
-    shared_.resize(at(count));
 }
 
 void FixTdhs::choose_parts()
@@ -371,6 +288,7 @@ void FixTdhs::choose_parts()
     }
     if (parts_ > 1) ++shortened_;
     limits_.step = update->dt / parts_;
+    limits_.farthest = fastest * limits_.step;
     limits_.margin = margin_ * diameter;
     limits_.tolerated = tolerated_ * diameter;
     limits_.relief = relief_;
@@ -437,6 +355,9 @@ void FixTdhs::scatter()
         comm->reverse_comm_fix(this);
     }
     for (int i = 0; i < atom->nlocal; ++i) {
+        const auto soon = at(body_of_[at(std::min(i + ahead, atom->nlocal - 1))]);
+        __builtin_prefetch(&bodies_.body[soon]);
+        __builtin_prefetch(&solver_.shift()[soon]);
         const auto b = at(body_of_[at(i)]);
         copy_three(bodies_.body[b].velocity, atom->v[i]);
         copy_three(bodies_.body[b].spin, atom->omega[i]);

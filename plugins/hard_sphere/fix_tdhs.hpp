@@ -61,6 +61,7 @@ private:
     void ask_gravity();
     void add_forces();
     void gather();
+    void gather(int first, int last);
     void choose_parts();
     void move();
     void resolve_contacts();
@@ -101,7 +102,6 @@ private:
     std::vector<double> shift_;  ///< not yet in the positions [atoms x 3, m]
     ImpulseMemory memory_;
 
-    std::vector<Place> places_;
     Bodies bodies_;
     CellGrid grid_;
     PairSearch pairs_;

@@ -47,7 +47,7 @@ int FixTdhs::unpack_exchange(int i, double* buffer)
 double FixTdhs::memory_usage()
 {
     return static_cast<double>((push_.size() + shift_.size()) * sizeof(double) +
-                               bodies_.size() * (sizeof(Body) + 2 * sizeof(Place) + sizeof(Label) + sizeof(Vector)));
+                               bodies_.size() * (sizeof(Body) + sizeof(Path) + sizeof(Label) + sizeof(Push)));
 }
 
 int FixTdhs::pack_comm(int n, int* list, double* buffer, int, int*)

@@ -2,9 +2,7 @@
 #include "hard_sphere/pair_search.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <limits>
 
 #include "hard_sphere/processor.hpp"
 
@@ -12,104 +10,111 @@ namespace interphase::hard_sphere {
 
 namespace {
 
-constexpr int width = 8;
+// Two ranges side by side, each of which holds hardly more spheres than this even in a dense bed: so the processor need
+// not guess how often to look.
+constexpr int half = 8, width = 2 * half;
+static_assert(Coarse::behind >= half);
+using Halves = float __attribute__((vector_size(4 * half)));
 using Floats = float __attribute__((vector_size(4 * width)));
+using HalfInts = int __attribute__((vector_size(4 * half)));
 using Ints = int __attribute__((vector_size(4 * width)));
+using Bytes = signed char __attribute__((vector_size(width)));
 
-INTERPHASE_INLINE Floats load(const float* values)
+INTERPHASE_INLINE Floats load(const float* a, const float* b)
 {
-    Floats vector;
-    std::memcpy(&vector, values, sizeof vector);
-    return vector;
+    Halves low, high;
+    std::memcpy(&low, a, sizeof low);
+    std::memcpy(&high, b, sizeof high);
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+}
+
+INTERPHASE_INLINE Ints in_halves(int a, int b)
+{
+    const HalfInts low = HalfInts{} + a, high = HalfInts{} + b;
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
 }
 
 INTERPHASE_INLINE Floats smaller(const Floats& a, const Floats& b) { return a < b ? a : b; }
-INTERPHASE_INLINE Floats larger(const Floats& a, const Floats& b) { return a > b ? a : b; }
-
-/// A bit for each lane that is not 0.
-INTERPHASE_INLINE unsigned bits(const Ints& mask)
-{
-    Ints set = mask & Ints{1, 2, 4, 8, 16, 32, 64, 128};
-    set |= __builtin_shuffle(set, Ints{4, 5, 6, 7, 0, 1, 2, 3});
-    set |= __builtin_shuffle(set, Ints{2, 3, 0, 1, 2, 3, 0, 1});
-    set |= __builtin_shuffle(set, Ints{1, 0, 1, 0, 1, 0, 1, 0});
-    return static_cast<unsigned>(set[0]);
-}
 
 }  // namespace
 
-void PairSearch::copy(const Bodies& bodies)
+void PairSearch::find(const Bodies& bodies, const CellGrid& grid, double step, double margin, double touching)
 {
-    const std::size_t n = bodies.size();
-    for (auto* array : {&x_, &y_, &z_, &radius_, &u_, &v_, &w_})
-        array->resize(n + width, 0.0f);
-    double low[3] = {1e300, 1e300, 1e300}, high[3] = {-1e300, -1e300, -1e300};
-    for (std::size_t b = 0; b < n; ++b)
-        for (int axis = 0; axis < 3; ++axis) {
-            low[axis] = std::min(low[axis], bodies.place[b].centre[axis]);
-            high[axis] = std::max(high[axis], bodies.place[b].centre[axis]);
-        }
-    double middle[3], extent = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        middle[axis] = 0.5 * (low[axis] + high[axis]);
-        extent = std::max(extent, high[axis] - middle[axis]);
-    }
-    rounding_ = static_cast<float>(4 * extent) * std::numeric_limits<float>::epsilon();
-    for (std::size_t b = 0; b < n; ++b) {
-        const Place& place = bodies.place[b];
-        const Body& body = bodies.body[b];
-        x_[b] = static_cast<float>(place.centre[0] - middle[0]);
-        y_[b] = static_cast<float>(place.centre[1] - middle[1]);
-        z_[b] = static_cast<float>(place.centre[2] - middle[2]);
-        radius_[b] = static_cast<float>(place.radius);
-        u_[b] = static_cast<float>(body.velocity[0]);
-        v_[b] = static_cast<float>(body.velocity[1]);
-        w_[b] = static_cast<float>(body.velocity[2]);
-    }
+    look_through(bodies.coarse, grid, step, margin, touching);
+    touches_.assign(bodies.size() + 1, 0);
+    write_pairs();
 }
 
 INTERPHASE_CLONES
-void PairSearch::find(const Bodies& bodies, const CellGrid& grid, double step, double margin, double touching)
+void PairSearch::look_through(const Coarse& spheres, const CellGrid& grid, double step, double margin, double touching)
 {
-    copy(bodies);
-    if (pairs_.size() < 4096) pairs_.resize(4096);
-    std::size_t count = 0;
-    const float *x = x_.data(), *y = y_.data(), *z = z_.data(), *radius = radius_.data();
-    const float *u = u_.data(), *v = v_.data(), *w = w_.data();
-    const float dt = static_cast<float>(step), beside = static_cast<float>(margin) + rounding_;
-    const float less = beside - (static_cast<float>(touching) + rounding_);
-    const Ints lane{0, 1, 2, 3, 4, 5, 6, 7};
-    const Floats zero{}, most = zero + dt, tiny = zero + 1e-30f;
-    Pair* pairs = pairs_.data();
-    std::size_t room = pairs_.size();
+    const float *x = spheres.centre[0].data(), *y = spheres.centre[1].data(), *z = spheres.centre[2].data();
+    const float *u = spheres.velocity[0].data(), *v = spheres.velocity[1].data(), *w = spheres.velocity[2].data();
+    const float* radius = spheres.radius.data();
+    const float beside = static_cast<float>(margin + spheres.rounding);
+    const float less = static_cast<float>(margin - touching), dt = static_cast<float>(step);
+    const Ints lane{0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7};
+    const Floats zero{}, one = zero + 1;
+    if (rows_.empty()) rows_.resize(1024);
+    Row *row = rows_.data(), *full = row + rows_.size();
 
-    grid.candidates([&](int i, int first, int last) __attribute__((always_inline)) {
+    grid.candidates([&](int i, CellGrid::Range a, CellGrid::Range b) __attribute__((always_inline)) {
         const float keep = radius[i] + beside;
-        for (int j = first; j < last; j += width) {
-            const Floats dx = load(x + j) - x[i], dy = load(y + j) - y[i], dz = load(z + j) - z[i];
-            const Floats du = load(u + j) - u[i], dv = load(v + j) - v[i], dw = load(w + j) - w[i];
-            const Floats within = load(radius + j) + keep;
+        for (; a.first < a.last || b.first < b.last; a.first += half, b.first += half) {
+            const int j = std::min(a.first, a.last), k = std::min(b.first, b.last);
+            const Floats dx = load(x + j, x + k) - x[i], dy = load(y + j, y + k) - y[i], dz = load(z + j, z + k) - z[i];
+            const Floats du = load(u + j, u + k) - u[i], dv = load(v + j, v + k) - v[i], dw = load(w + j, w + k) - w[i];
+            const Floats within = load(radius + j, radius + k) + keep, hits = within - less;
             const Floats squared = dx * dx + dy * dy + dz * dz;
             const Floats closing = dx * du + dy * dv + dz * dw;
             const Floats speed2 = du * du + dv * dv + dw * dw;
-            const Floats time = smaller(most, larger(zero, -closing / (speed2 + tiny)));
-            const Floats nearest = squared + time * (closing + closing + time * speed2);
-            unsigned near = bits((nearest < within * within) & (lane + j < last));
-            if (near == 0) continue;
-            if (count + width > room) {
-                pairs_.resize(2 * room);
-                pairs = pairs_.data();
-                room = pairs_.size();
-            }
-            const Floats hits = within - less;
-            const unsigned touch = bits((nearest < hits * hits) & (lane + j < last));
-            for (; near != 0; near &= near - 1) {
-                const int k = __builtin_ctz(near);
-                pairs[count++] = {i, j + k, touch >> k & 1};
+            // The squared distance is squared + (2 closing + speed2 t) t: smallest at either end of the step, or in
+            // between by closing^2/speed2 below the start. Multiplied by speed2 that needs no division.
+            const Floats closing_at_end = closing + dt * speed2;
+            const Floats at_end = squared + dt * (closing + closing_at_end);
+            const Ints between = closing * closing_at_end < zero;
+            const Floats scale = between ? speed2 : one;
+            const Floats nearest = between ? squared * speed2 - closing * closing : smaller(squared, at_end);
+            const Ints valid = lane < in_halves(a.last - j, b.last - k);
+            const Ints near = (nearest < within * within * scale) & valid & 1,
+                       touch = (nearest < hits * hits * scale) & valid & 2;
+            const Bytes found = __builtin_convertvector(near | touch, Bytes);
+            row->i = i;
+            row->first[0] = j;
+            row->first[1] = k;
+            std::memcpy(row->found, &found, sizeof found);
+            // the next one overwrites a row without pairs: no branch that would depend on where spheres are
+            row += (row->found[0] | row->found[1]) != 0;
+            if (row == full) {
+                const std::size_t count = rows_.size();
+                rows_.resize(2 * count);
+                row = rows_.data() + count;
+                full = rows_.data() + rows_.size();
             }
         }
     });
-    used_ = count;
+    row_count_ = static_cast<std::size_t>(row - rows_.data());
+}
+
+void PairSearch::write_pairs()
+{
+    used_ = 0;
+    for (std::size_t k = 0; k < row_count_; ++k) {
+        const Row& row = rows_[k];
+        if (used_ + width > pairs_.size()) pairs_.resize(2 * used_ + 1024);
+        Pair* pair = &pairs_[used_];
+        for (int range = 0; range < 2; ++range)
+            for (std::uint64_t left = row.found[range]; left != 0;) {
+                const int bit = __builtin_ctzll(left);
+                const auto found = static_cast<unsigned>(left >> bit & 3);
+                left &= ~(std::uint64_t{3} << bit);
+                const int j = row.first[range] + bit / 8;
+                *pair++ = {row.i, j, found >> 1};
+                touches_[static_cast<std::size_t>(row.i)] += found >> 1;
+                touches_[static_cast<std::size_t>(j)] += found >> 1;
+            }
+        used_ = static_cast<std::size_t>(pair - pairs_.data());
+    }
 }
 
 }  // namespace interphase::hard_sphere

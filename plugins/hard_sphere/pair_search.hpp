@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "hard_sphere/bodies.hpp"
@@ -18,21 +19,32 @@ struct Pair {
 /// Finds the pairs that come nearer than `margin` on their straight paths within a step.
 class PairSearch {
 public:
-    /// `bodies` in the order of `grid`, whose reach was at least `margin` [m]; velocities with the forces of this step.
-    /// Nearer than `touching` [m] counts as a touch.
+    /// `bodies`, with `coarse`, in the order of `grid`, whose reach was at least `margin` [m]. Nearer than `touching`
+    /// [m] counts as a touch.
     void find(const Bodies& bodies, const CellGrid& grid, double step, double margin, double touching);
+
+    /// How many pairs touch each body [bodies and walls].
+    const std::vector<int>& touches() const { return touches_; }
 
     const Pair* begin() const { return pairs_.data(); }
     const Pair* end() const { return pairs_.data() + used_; }
 
 private:
-    void copy(const Bodies& bodies);
+    /// Spheres first, first + 1, ... of two ranges that come near i: a byte for each, 0 if it does not, 1 near, 3
+    /// touching.
+    struct Row {
+        int i, first[2];
+        std::uint64_t found[2];
+    };
 
-    // positions relative to the middle of the spheres, single precision: the margin is wider than their rounding
-    std::vector<float> x_, y_, z_, radius_, u_, v_, w_;
-    float rounding_ = 0;       ///< [m]
-    std::vector<Pair> pairs_;  ///< grows only
+    void look_through(const Coarse& spheres, const CellGrid& grid, double step, double margin, double touching);
+    void write_pairs();
+
+    std::vector<Row> rows_;  ///< these and the pairs grow only
+    std::size_t row_count_ = 0;
+    std::vector<Pair> pairs_;
     std::size_t used_ = 0;
+    std::vector<int> touches_;
 };
 
 }  // namespace interphase::hard_sphere

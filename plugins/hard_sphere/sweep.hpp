@@ -16,11 +16,11 @@ enum class Direction { forward, backward };
 /// agree. Pfeiffer and Glocker, Multibody Dynamics with Unilateral Contacts, Wiley 1996, ch. 8.)
 enum class Phase { compression, release, after_release };
 
-/// One pass of projected Gauss-Seidel over the contacts, in the order of the spheres in memory or against it: each
-/// contact in turn gets the impulse that its bodies need, given all others (Jean, CMAME 177 (1999) 235). Normal:
-/// v_n + gap/step >= 0; tangential: no slip, within Coulomb's cone. Each update takes kinetic energy or leaves it.
-void sweep(std::vector<Body>& bodies, std::vector<ContactBatch>& batches, std::size_t count, Direction direction);
-void sweep(std::vector<Body>& bodies, std::vector<ImpactBatch>& batches, std::size_t count, Direction direction,
+/// One pass of projected Gauss-Seidel over `count` batches, in their order or against it: each contact in turn gets the
+/// impulse that its bodies need, given all others (Jean, CMAME 177 (1999) 235). Normal: v_n + gap/step >= 0;
+/// tangential: no slip, within Coulomb's cone. Each update takes kinetic energy or leaves it, but for the release of
+/// impacts.
+void sweep(std::vector<Body>& bodies, std::vector<ContactBatch>& batches, std::size_t count, Direction direction,
            Phase phase);
 
 }  // namespace interphase::hard_sphere

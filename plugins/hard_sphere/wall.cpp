@@ -5,6 +5,22 @@
 
 namespace interphase::hard_sphere {
 
+void Wall::choose(const Bodies& bodies, double reach, std::vector<int>& chosen) const
+{
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        if (may_touch(bodies.path[i].place, reach)) chosen.push_back(static_cast<int>(i));
+}
+
+void PlaneWall::choose(const Bodies& bodies, double reach, std::vector<int>& chosen) const
+{
+    const Coarse& coarse = bodies.coarse;
+    const float *centre = coarse.centre[axis_].data(), *radius = coarse.radius.data();
+    const auto at = static_cast<float>(at_ - coarse.middle[axis_]), gap = static_cast<float>(reach + coarse.rounding);
+    const int n = static_cast<int>(bodies.size());
+    for (int i = 0; i < n; ++i)
+        if (std::abs(centre[i] - at) < radius[i] + gap) chosen.push_back(i);
+}
+
 void PlaneWall::near(const Place& sphere, double reach, std::vector<WallPoint>& points) const
 {
     if (!may_touch(sphere, reach)) return;

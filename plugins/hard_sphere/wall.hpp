@@ -32,12 +32,15 @@ public:
     /// Cheap: false if no point is within `reach`.
     virtual bool may_touch(const Place& sphere, double reach) const = 0;
 
+    /// Adds those of the bodies that may touch, so that walls can be quick about the others.
+    virtual void choose(const Bodies& bodies, double reach, std::vector<int>& chosen) const;
+
 private:
     int type_;
 };
 
 /// Both sides of an infinite plane across an axis (0 to 2) at `position` [m].
-class PlaneWall : public Wall {
+class PlaneWall final : public Wall {
 public:
     PlaneWall(int type, int axis, double position) : Wall(type), axis_(static_cast<std::size_t>(axis)), at_(position) {}
     void near(const Place& sphere, double reach, std::vector<WallPoint>& points) const override;
@@ -46,6 +49,7 @@ public:
         const double distance = sphere.centre[axis_] - at_;
         return (distance < 0 ? -distance : distance) < sphere.radius + reach;
     }
+    void choose(const Bodies& bodies, double reach, std::vector<int>& chosen) const override;
 
 private:
     std::size_t axis_;

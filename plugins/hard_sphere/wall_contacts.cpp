@@ -33,27 +33,31 @@ void follow_to_touch(Contact& contact, const Wall& wall, const Place& from, cons
 
 }  // namespace
 
-void find_wall_contacts(Bodies& bodies, std::size_t spheres, const std::vector<std::unique_ptr<Wall>>& walls,
-                        const Materials& materials, const StepLimits& limits, std::vector<Contact>& found)
+void find_wall_contacts(Bodies& bodies, const std::vector<std::unique_ptr<Wall>>& walls, const Materials& materials,
+                        const StepLimits& limits, std::vector<Contact>& found)
 {
     found.clear();
     std::vector<WallPoint> points;
+    std::vector<int> chosen;
     for (std::size_t w = 0; w < walls.size(); ++w) {
         const Wall& wall = *walls[w];
-        for (std::size_t i = 0; i < spheres; ++i) {
-            const Place& place = bodies.place[i];
-            const Vector velocity = vector(bodies.body[i].velocity);
-            const double reach = limits.margin + limits.step * velocity.cwiseAbs().sum();
+        chosen.clear();
+        wall.choose(bodies, limits.margin + limits.farthest, chosen);
+        for (const int body : chosen) {
+            const auto i = static_cast<std::size_t>(body);
+            if (bodies.label[i].ghost || bodies.label[i].fixed) continue;
+            const Place& place = bodies.path[i].place;
+            const Vector velocity = vector(bodies.path[i].velocity);
+            const double reach = limits.margin + limits.step * velocity.norm();
             if (!wall.may_touch(place, reach)) continue;
-            if (bodies.label[i].ghost || bodies.body[i].inverse_mass == 0) continue;
             points.clear();
             wall.near(place, reach, points);
             for (const WallPoint& point : points) {
                 const Vector meeting = point.velocity - velocity;
                 const double end = point.gap + limits.step * meeting.dot(point.normal);
                 if (std::min(point.gap, end) > limits.margin) continue;
-                Contact contact{static_cast<int>(i),
-                                static_cast<int>(spheres),
+                Contact contact{body,
+                                static_cast<int>(bodies.size()),
                                 point.normal,
                                 point.gap,
                                 point.gap > 0 ? point.gap / limits.step : relieving_speed(point.gap, limits),
@@ -71,7 +75,7 @@ void find_wall_contacts(Bodies& bodies, std::size_t spheres, const std::vector<s
                 if (end < 0 && end < point.gap) {
                     contact.touch_time = limits.step * std::max(0.0, point.gap) / (point.gap - end);
                     follow_to_touch(contact, wall, place, meeting, limits.step);
-                    judge_impact(contact, meeting, -bodies.push[i], limits);
+                    judge_impact(contact, meeting, -vector(bodies.push[i].change), limits);
                 }
                 found.push_back(contact);
             }

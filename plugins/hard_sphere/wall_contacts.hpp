@@ -9,9 +9,9 @@
 
 namespace interphase::hard_sphere {
 
-/// Finds the contacts of the first `spheres` bodies with walls. The body after the last sphere stands for all
-/// resting walls; a body for each point of a moving wall is appended.
-void find_wall_contacts(Bodies& bodies, std::size_t spheres, const std::vector<std::unique_ptr<Wall>>& walls,
-                        const Materials& materials, const StepLimits& limits, std::vector<Contact>& found);
+/// Finds the contacts of spheres with walls. The body after the last sphere stands for all resting walls; a body for
+/// each point of a moving wall is appended.
+void find_wall_contacts(Bodies& bodies, const std::vector<std::unique_ptr<Wall>>& walls, const Materials& materials,
+                        const StepLimits& limits, std::vector<Contact>& found);
 
 }  // namespace interphase::hard_sphere

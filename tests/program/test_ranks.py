@@ -19,13 +19,14 @@ sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 
 import support  # noqa: E402
 
-STEPS = 100
+STEPS = 50
+LONGEST = 900  # [s], for four ranks on two busy cores: they wait for each other some hundred times in a gas step
 GAS_STEP = 1e-3  # of the case [s]
 HEIGHT = 1.2192  # of the vessel [m]: the size that differences are seen against
 
 
 class RoundOffGrowth(support.ProgramTest):
-    """The first 100 coupling steps of sscp1, the same dem/bed.data in each run."""
+    """The first 50 coupling steps of sscp1, the same dem/bed.data in each run."""
 
     # Parcels at the bottom, in the middle and near the surface of the bed.
     PERTURBED = (2000, 6000, 10000)
@@ -60,12 +61,12 @@ class RoundOffGrowth(support.ProgramTest):
 
     def positions(self, folder, ranks=1):
         """[time, particle, 3], rows by id."""
-        snapshots = self.run_case(folder, ranks).snapshots()
+        snapshots = self.run_case(folder, ranks, LONGEST).snapshots()
         return numpy.stack([snapshots[time]["position"] for time in sorted(snapshots)])
 
     def test_ranks_agree_to_round_off_growth(self):
         one = self.positions(self.scene("one"))
-        self.assertEqual(one.shape, (11, 11875, 3))
+        self.assertEqual(one.shape, (6, 11875, 3))
 
         def apart(other):
             self.assertEqual(other.shape, one.shape)
@@ -87,7 +88,7 @@ class RoundOffGrowth(support.ProgramTest):
             # below the floor both are round-off of the positions themselves
             allowed = numpy.maximum(self.SPREAD * yardstick, 1e-14)
             self.assertTrue((difference <= allowed).all(), f"{ranks} ranks: {difference} above {allowed}")
-        # ... and the yardstick itself is one: it starts at round-off, and 100 steps do not make the runs unrelated
+        # ... and the yardstick itself is one: it starts at round-off, and 50 steps do not make the runs unrelated
         self.assertLess(yardstick[0], 1e-15)
         self.assertLess(yardstick[-1], 1e-2)
 

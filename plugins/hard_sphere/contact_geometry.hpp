@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "hard_sphere/bodies.hpp"
+#include "hard_sphere/contact.hpp"
+#include "hard_sphere/contact_batch.hpp"
+
+namespace interphase::hard_sphere {
+
+/// Fills in `count` batches of contacts between spheres what follows from their paths, as contact_of_spheres() does
+/// for one, and starts them (start_from_memory()). Expects the bodies, the law (`bounce` as if all were impacts, or 0
+/// where the contact passed on an impulse in the last step) and in `tangential` that impulse. Overlaps are added to
+/// `overlaps`.
+void make_ready(Bodies& bodies, std::vector<ContactBatch>& batches, std::vector<BatchNotes>& notes, std::size_t count,
+                const StepLimits& limits, std::vector<Overlap>& overlaps);
+
+/// Gives the bodies the impulses of the last step, which are in `tangential`, and splits them along the normals as they
+/// are now. Contacts that pulled would be none: theirs are dropped.
+void start_from_memory(std::vector<Body>& bodies, std::vector<ContactBatch>& batches, std::size_t count);
+
+}  // namespace interphase::hard_sphere

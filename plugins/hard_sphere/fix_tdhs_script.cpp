@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What fix tdhs takes from the script, and what it does not bear beside it.
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "atom.h"
+#include "error.h"
+#include "fix_property_global.h"
+#include "force.h"
+#include "hard_sphere/fix_tdhs.hpp"
+#include "modify.h"
+
+namespace interphase::hard_sphere {
+
+void FixTdhs::read_arguments(int narg, char** arg)
+{
+    const auto fail = [&](const std::string& what) { error->all(FLERR, ("Fix tdhs: " + what).c_str()); };
+    for (int k = 3; k < narg; k += 2) {
+        const std::string key = arg[k];
+        if (k + 1 >= narg) fail("'" + key + "' needs a value");
+        if (key == "too_fast") {
+            const std::string choice = arg[k + 1];
+            if (choice != "stop" && choice != "shorten") fail("too_fast " + choice + ": give stop or shorten");
+            shortens_ = choice == "shorten";
+            continue;
+        }
+        char* end = nullptr;
+        const double value = std::strtod(arg[k + 1], &end);
+        if (*end || end == arg[k + 1]) fail("'" + key + " " + arg[k + 1] + "': no number");
+        const auto check = [&](bool holds, const char* demand) {
+            if (!holds) fail(key + " " + arg[k + 1] + ": " + demand);
+        };
+        if (key == "passes") {
+            check(value >= 2 && value <= 1000 && value == std::floor(value),
+                  "give a whole number of at least 2, at most 1000");
+            passes_ = static_cast<int>(value);
+        } else if (key == "margin") {
+            check(value >= 0 && value <= 1, "give a share of a diameter, 0 to 1");
+            margin_ = value;
+        } else if (key == "separation") {
+            check(value >= 0 && value <= 1, "give the share of an overlap taken away in a step by position, 0 to 1");
+            share_ = value;
+        } else if (key == "relief") {
+            check(value >= 0 && value <= 1, "give the share of an overlap taken away in a step by velocity, 0 to 1");
+            relief_ = value;
+        } else if (key == "tolerated_overlap") {
+            check(value >= 0 && value < 1, "give a share of a diameter, 0 to 1");
+            tolerated_ = value;
+        } else if (key == "resting_speed") {
+            check(value >= 0 && value < 1e300, "give a speed in m/s, not below 0");
+            resting_speed_ = value;
+        } else {
+            fail("unknown word '" + key +
+                 "'; known: passes, margin, separation, relief, tolerated_overlap, "
+                 "resting_speed, too_fast");
+        }
+    }
+}
+
+void FixTdhs::refuse_company()
+{
+    for (int k = 0; k < modify->nfix; ++k) {
+        const LAMMPS_NS::Fix& other = *modify->fix[k];
+        if (&other == this) continue;
+        if (other.time_integrate)
+            error->all(FLERR, (std::string("Fix tdhs moves the particles itself, but fix ") + other.id + " (" +
+                               other.style + ") does, too. Remove one of them")
+                                  .c_str());
+        if (std::string(other.style).rfind("wall/gran", 0) == 0)
+            error->all(FLERR,
+                       (std::string("Fix ") + other.id + " (" + other.style +
+                        ") makes contact forces on walls, but fix tdhs resolves contacts itself. Write wall/tdhs "
+                        "for it, with the words from `primitive` or `mesh` on")
+                           .c_str());
+    }
+    if (force->pair)
+        error->all(FLERR,
+                   "Fix tdhs resolves contacts itself, but a pair_style does, too. Remove the pair_style, or use fix "
+                   "nve/sphere instead of fix tdhs");
+}
+
+Materials FixTdhs::read_materials()
+{
+    const int types = atom->ntypes;
+    Materials materials(types);
+    const auto read = [&](const char* name, double ContactLaw::*member, double most) {
+        Fix* fix = modify->find_fix_property(name, "property/global", "peratomtypepair", types, types, style, false);
+        if (!fix)
+            error->all(FLERR, ("Fix tdhs: the script does not say the " + std::string(name) +
+                               " of the materials; give `fix ID all property/global " + name + " peratomtypepair " +
+                               std::to_string(types) + " ...`, " + std::to_string(types * types) + " numbers")
+                                  .c_str());
+        const double* const* values = static_cast<LAMMPS_NS::FixPropertyGlobal*>(fix)->get_array();
+        for (int a = 0; a < types; ++a)
+            for (int b = 0; b < types; ++b) {
+                if (!(values[a][b] >= 0 && values[a][b] <= most))
+                    error->all(FLERR,
+                               ("Fix tdhs: fix property/global " + std::string(name) + " is " +
+                                std::to_string(values[a][b]) + " between types " + std::to_string(a + 1) + " and " +
+                                std::to_string(b + 1) + "; give " + (most < 2 ? "0 to 1" : "0 or more"))
+                                   .c_str());
+                materials.between(a, b).*member = values[a][b];
+            }
+    };
+    read("coefficientRestitution", &ContactLaw::restitution, 1);
+    read("tangentialRestitution", &ContactLaw::tangential_restitution, 1);
+    read("coefficientFriction", &ContactLaw::friction, 1e300);
+    return materials;
+}
+
+}  // namespace interphase::hard_sphere
