@@ -61,7 +61,9 @@ INTERPHASE_INLINE void fill(Bodies& bodies, ContactBatch& batch, BatchNotes& not
     // when they touch, or are nearest
     const Doubles closing = dot(apart, meeting), beyond = squared - touching * touching;
     const Doubles speed2 = dot(meeting, meeting), discriminant = closing * closing - speed2 * beyond;
-    const Picks approach = closing<zero, overlap = beyond <= zero, hit = discriminant> zero;
+    const Picks approach = closing < zero;
+    const Picks overlap = beyond <= zero;
+    const Picks hit = discriminant > zero;
     const Doubles size = larger(closing, -closing);
     const Doubles when =
         (hit ? beyond : size) / ((hit ? square_root(larger(discriminant, zero)) + size : speed2) + tiny);

@@ -300,54 +300,6 @@ void FixTdhs::choose_parts()
 
 bool FixTdhs::has_ghosts() const { return comm->nprocs > 1 || atom->nghost > 0; }
 
-void FixTdhs::split_masses()
-{
-    cost_.switch_to(Part::communication);
-    message_ = Message::counts;
-    comm->forward_comm_fix(this);  // how many touches the owners have counted
-
-    counts_ = &solver_.count_users(bodies_, pairs_, wall_contacts_);
-    comm->reverse_comm_fix(this);
-    comm->forward_comm_fix(this);
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        shared_[b] = bodies_.body[b];
-        const int users = std::max(1, (*counts_)[b]);
-        bodies_.body[b].inverse_mass *= users;
-        bodies_.body[b].inverse_inertia *= users;
-    }
-    cost_.switch_to(Part::contacts);
-}
-
-void FixTdhs::join_masses()
-{
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        bodies_.body[b].inverse_mass = shared_[b].inverse_mass;
-        bodies_.body[b].inverse_inertia = shared_[b].inverse_inertia;
-    }
-}
-
-void FixTdhs::share_changes()
-{
-    if (!has_ghosts()) return;
-    cost_.switch_to(Part::communication);
-    message_ = Message::changes;
-    comm->reverse_comm_fix(this);
-    // a body in parts has the mean velocity of its parts
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        if (bodies_.label[b].ghost) continue;
-        const double share = 1.0 / std::max(1, (*counts_)[b]);
-        Body &body = bodies_.body[b], &before = shared_[b];
-        for (int axis = 0; axis < 3; ++axis) {
-            body.velocity[axis] = before.velocity[axis] + share * (body.velocity[axis] - before.velocity[axis]);
-            body.spin[axis] = before.spin[axis] + share * (body.spin[axis] - before.spin[axis]);
-        }
-        copy_three(body.velocity, before.velocity);
-        copy_three(body.spin, before.spin);
-    }
-    comm->forward_comm_fix(this);
-    cost_.switch_to(Part::contacts);
-}
-
 void FixTdhs::scatter()
 {
     if (has_ghosts()) {

@@ -78,7 +78,7 @@ private:
 
     // what the script says
     int passes_ = 3;
-    double margin_ = 0.05, share_ = 0.3, relief_ = 0, tolerated_ = 3e-3;
+    double margin_ = 0.02, share_ = 0.5, relief_ = 0, tolerated_ = 3e-3;
     double resting_speed_ = -1;  ///< [m/s]; below 0: from gravity
     bool shortens_ = true;
 
