@@ -6,8 +6,8 @@ namespace interphase::hard_sphere {
 /// Contacts resolved at once: no two of them share a body, so they do not wait for each other.
 constexpr int lanes = 4;
 
-/// Four contacts of clusters. Single precision: the same rounded impulse goes to both bodies, so linear momentum is
-/// kept to double precision all the same, and memory traffic is what the passes cost. Empty lanes name a body that
+/// Four contacts of clusters. Single precision, for less memory traffic: what a pass changes goes to both bodies
+/// in double precision before it is kept, so linear momentum is conserved to that. Empty lanes name a body that
 /// nothing moves.
 struct alignas(16) ContactBatch {
     int i[lanes], j[lanes];

@@ -36,7 +36,7 @@ INTERPHASE_INLINE void start(Body* bodies, ContactBatch& batch, Side& a, Side& b
     const Triple tangential{pushes ? across.x : zero, pushes ? across.y : zero, pushes ? across.z : zero};
     store(batch.impulse, kept);
     store(batch.tangential, tangential);
-    if (!all_zero(kept, zero)) give(bodies, batch, a, b, normal, tangential + kept * normal);
+    give(bodies, batch, a, b, normal, tangential + kept * normal);
 }
 
 INTERPHASE_INLINE void fill(Bodies& bodies, ContactBatch& batch, BatchNotes& notes, const StepLimits& limits,

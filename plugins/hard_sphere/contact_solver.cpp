@@ -77,14 +77,11 @@ void ContactSolver::start(Bodies& bodies, const PairSearch& pairs, const std::ve
 
     for (const Contact& contact : walls) {
         const Label& label = bodies.label[at(contact.i)];
-        if (contact.touch && has_one_touch(label, contact.i)) {
-            if (contact.gap < 0) overlaps_.push_back(overlap_of(contact));
+        if (contact.gap < 0) overlaps_.push_back(overlap_of(contact));
+        if (contact.touch && has_one_touch(label, contact.i))
             resolve_binary(bodies, contact);
-        } else if (in_cluster(label, contact.i)) {
+        else if (in_cluster(label, contact.i))
             add_wall(bodies, contact, memory);
-        } else if (contact.gap < 0) {
-            overlaps_.push_back(overlap_of(contact));
-        }
     }
     start_from_memory(bodies.body, walls_.batches, walls_.places.count());
 
@@ -201,7 +198,6 @@ BatchPlace ContactSolver::add(Cluster& cluster, const Bodies& bodies, int i, int
 
 void ContactSolver::add_wall(const Bodies& bodies, const Contact& contact, const ImpulseMemory& memory)
 {
-    if (contact.gap < 0) overlaps_.push_back(overlap_of(contact));
     const auto [k, lane] = add(walls_, bodies, contact.i, contact.j, contact.key, *contact.law, memory);
     ContactBatch& batch = walls_.batches[k];
     const auto [arm_i, arm_j] = arms(bodies, contact);

@@ -57,12 +57,6 @@ INTERPHASE_INLINE Vectors square_root(const Vectors& values)
     return roots;
 }
 
-INTERPHASE_INLINE bool all_zero(const Doubles& a, const Doubles& b)
-{
-    const Picks set = (a != 0) | (b != 0);
-    return (set[0] | set[1] | set[2] | set[3]) == 0;
-}
-
 INTERPHASE_INLINE Triple operator+(const Triple& a, const Triple& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 INTERPHASE_INLINE Triple operator-(const Triple& a, const Triple& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 INTERPHASE_INLINE Triple operator*(const Doubles& s, const Triple& a) { return {s * a.x, s * a.y, s * a.z}; }
