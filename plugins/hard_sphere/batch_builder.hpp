@@ -34,12 +34,12 @@ public:
     std::size_t count() const { return count_; }
 
 private:
-    static constexpr int open_batches = 32;
+    static constexpr int open_batches = 8;  ///< with more, contacts come too far out of order for beds to rest soon
+    static constexpr std::uint32_t all = (std::uint64_t{1} << open_batches) - 1;
     struct Open {
         std::size_t batch = 0;
         int filled = 0;
-        std::array<int, 2 * lanes> bodies{};  ///< that moved ones among its members mark as used
-        int marked = 0;
+        std::array<int, 2 * lanes> bodies{};  ///< of its members
     };
     void close(int slot);
 

@@ -70,11 +70,11 @@ struct Coarse {
 
 /// Who a body is.
 struct Label {
-    int id = 0;           ///< the same on every rank
-    short type = 0;       ///< of material, from 0
-    bool ghost = false;   ///< another rank owns it
-    bool fixed = false;   ///< nothing moves it
-    int remembered = -1;  ///< the first of its entries in ImpulseMemory
+    int id = 0;          ///< the same on every rank
+    short type = 0;      ///< of material, from 0
+    bool ghost = false;  ///< another rank owns it
+    bool fixed = false;  ///< nothing moves it
+    int remembered = 0;  ///< the first of its entries in ImpulseMemory
 };
 
 /// The spheres of one rank, ghosts included. All arrays have one more, of resting walls; `body` may have those of

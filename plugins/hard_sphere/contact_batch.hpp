@@ -4,12 +4,12 @@
 namespace interphase::hard_sphere {
 
 /// Contacts resolved at once: no two of them share a body, so they do not wait for each other.
-constexpr int lanes = 4;
+constexpr int lanes = 8;  // of AVX-512; others take them in two halves
 
-/// Four contacts of clusters. Single precision, for less memory traffic: what a pass changes goes to both bodies
+/// Contacts of clusters. Single precision, for less memory traffic: what a pass changes goes to both bodies
 /// in double precision before it is kept, so linear momentum is conserved to that. Empty lanes name a body that
 /// nothing moves.
-struct alignas(16) ContactBatch {
+struct alignas(32) ContactBatch {
     int i[lanes], j[lanes];
     float normal[3][lanes];            ///< from i to j
     float arm_i[lanes], arm_j[lanes];  ///< from the centres to the point of contact [m]
@@ -25,7 +25,7 @@ struct alignas(16) ContactBatch {
 
 /// What the passes do not need.
 struct BatchNotes {
-    int owner[lanes];         ///< body that remembers the impulse; -1: empty lane
+    int owner[lanes];         ///< body that remembers the impulse; any, in an empty lane
     int partner[lanes];       ///< what it remembers it under
     float touch_time[lanes];  ///< of impacts: when within the step [s]
 };

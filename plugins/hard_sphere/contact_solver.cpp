@@ -39,10 +39,11 @@ void put(const Sphere& sphere, Body& body)
 }
 
 /// What the making of contacts will not set in lanes without one. They name the body that nothing moves.
-void leave_empty(ContactBatch& batch, int resting_walls)
+void leave_empty(ContactBatch& batch, BatchNotes& notes, int resting_walls)
 {
     for (int lane = 0; lane < lanes; ++lane) {
         batch.i[lane] = batch.j[lane] = resting_walls;
+        notes.owner[lane] = 0;
         batch.friction[lane] = 0;
         for (int axis = 0; axis < 3; ++axis)
             batch.tangential[axis][lane] = 0;
@@ -76,53 +77,86 @@ void ContactSolver::start(Bodies& bodies, const PairSearch& pairs, const std::ve
     shift_.assign(n, Vector::Zero());
 
     for (const Contact& contact : walls) {
-        const Label& label = bodies.label[at(contact.i)];
         if (contact.gap < 0) overlaps_.push_back(overlap_of(contact));
-        if (contact.touch && has_one_touch(label, contact.i))
+        if (contact.touch && has(touches_one, contact.i))
             resolve_binary(bodies, contact);
-        else if (in_cluster(label, contact.i))
+        else if (has(in_cluster, contact.i))
             add_wall(bodies, contact, memory);
     }
     start_from_memory(bodies.body, walls_.batches, walls_.places.count());
 
-    for (const Pair& pair : pairs) {
-        __builtin_prefetch(&bodies.label[at(std::min(&pair + 2 * ahead, pairs.end() - 1)->j)]);
-        memory.fetch(bodies.label[at(std::min(&pair + ahead, pairs.end() - 1)->j)].remembered);
-        const Label &a = bodies.label[at(pair.i)], &b = bodies.label[at(pair.j)];
-        if (!takes_part(bodies, pair)) continue;
-        if (pair.touch && has_one_touch(a, pair.i) && has_one_touch(b, pair.j)) {
-            const Contact contact = contact_of_spheres(bodies, pair, materials, limits);
-            if (contact.gap < 0) overlaps_.push_back(overlap_of(contact));
-            resolve_binary(bodies, contact);
-        } else {
-            add(spheres_, bodies, pair.i, pair.j, 0, materials.between(a.type, b.type), memory);
-        }
-    }
+    add_pairs(bodies, pairs, materials, limits, memory);
     make_ready(bodies, spheres_.batches, spheres_.notes, spheres_.places.count(), limits, overlaps_);
 }
 
-std::vector<int>& ContactSolver::count_touches(const PairSearch& pairs, const std::vector<Contact>& walls)
+void ContactSolver::add_pairs(Bodies& bodies, const PairSearch& pairs, const Materials& materials,
+                              const StepLimits& limits, const ImpulseMemory& memory)
+{
+    const auto most = static_cast<std::size_t>(pairs.end() - pairs.begin());
+    if (cluster_pairs_.size() < most) cluster_pairs_.resize(most);
+    if (binary_pairs_.size() < most) binary_pairs_.resize(most);
+    Pair *clustered = cluster_pairs_.data(), *binary = binary_pairs_.data();
+    for (const Pair& pair : pairs) {
+        const bool part = takes_part(bodies, pair), alone = (pair.touch != 0) & both_have(touches_one, pair);
+        *clustered = *binary = pair;
+        clustered += part & !alone;
+        binary += part & alone;
+    }
+
+    for (const Pair* pair = binary_pairs_.data(); pair != binary; ++pair) {
+        const Contact contact = contact_of_spheres(bodies, *pair, materials, limits);
+        if (contact.gap < 0) overlaps_.push_back(overlap_of(contact));
+        resolve_binary(bodies, contact);
+    }
+
+    const std::size_t count = static_cast<std::size_t>(clustered - cluster_pairs_.data());
+    const auto label_of_j = [&](std::size_t k) -> const Label& {
+        return bodies.label[at(cluster_pairs_[std::min(k, count - 1)].j)];
+    };
+    for (std::size_t k = 0; k < count; ++k) {
+        const auto [i, j, touch] = cluster_pairs_[k];
+        __builtin_prefetch(&label_of_j(k + 2 * ahead));
+        memory.fetch(label_of_j(k + ahead).remembered);
+        const ContactLaw& law = materials.between(bodies.label[at(i)].type, bodies.label[at(j)].type);
+        add(spheres_, bodies, i, j, 0, law, memory);
+    }
+}
+
+std::vector<std::uint8_t>& ContactSolver::count_touches(const PairSearch& pairs, const std::vector<Contact>& walls)
 {
     touches_ = pairs.touches();
     for (const Contact& contact : walls)
-        touches_[at(contact.i)] += contact.touch;
+        count_touch(touches_[at(contact.i)], contact.touch);
     return touches_;
+}
+
+void ContactSolver::classify(const Bodies& bodies)
+{
+    roles_.resize(touches_.size());
+    for (std::size_t b = 0; b < roles_.size(); ++b) {
+        const bool ghost = bodies.label[b].ghost, fixed = bodies.label[b].fixed;
+        roles_[b] = static_cast<std::uint8_t>((ghost | fixed ? ghost_or_fixed : 0) |
+                                              (fixed | (touches_[b] == 1) ? touches_one : 0) |
+                                              (fixed | (touches_[b] > 1) ? in_cluster : 0));
+    }
 }
 
 bool ContactSolver::takes_part(const Bodies& bodies, const Pair& pair) const
 {
-    const Label &a = bodies.label[at(pair.i)], &b = bodies.label[at(pair.j)];
-    if ((a.ghost && b.ghost) || (a.ghost != b.ghost && a.ghost == (a.id < b.id))) return false;
-    if (a.fixed && b.fixed) return false;
-    return pair.touch || (in_cluster(a, pair.i) && in_cluster(b, pair.j));
+    if (has(ghost_or_fixed, pair.i) || has(ghost_or_fixed, pair.j)) {
+        const Label &a = bodies.label[at(pair.i)], &b = bodies.label[at(pair.j)];
+        if ((a.ghost && b.ghost) || (a.ghost != b.ghost && a.ghost == (a.id < b.id))) return false;
+        if (a.fixed && b.fixed) return false;
+    }
+    return (pair.touch != 0) | both_have(in_cluster, pair);
 }
 
-std::vector<int>& ContactSolver::count_users(const Bodies& bodies, const PairSearch& pairs,
-                                             const std::vector<Contact>& walls)
+std::vector<std::uint8_t>& ContactSolver::count_users(const Bodies& bodies, const PairSearch& pairs,
+                                                      const std::vector<Contact>& walls)
 {
     users_.assign(bodies.body.size(), 0);
     const auto use = [&](int body) {
-        if (in_cluster(bodies.label[at(body)], body)) users_[at(body)] = 1;
+        if (has(in_cluster, body)) users_[at(body)] = 1;
     };
     for (const Pair& pair : pairs)
         if (takes_part(bodies, pair)) {
@@ -133,10 +167,6 @@ std::vector<int>& ContactSolver::count_users(const Bodies& bodies, const PairSea
         use(contact.i);
     return users_;
 }
-
-bool ContactSolver::has_one_touch(const Label& label, int body) const { return label.fixed || touches_[at(body)] == 1; }
-
-bool ContactSolver::in_cluster(const Label& label, int body) const { return label.fixed || touches_[at(body)] > 1; }
 
 void ContactSolver::resolve_binary(Bodies& bodies, const Contact& contact)
 {
@@ -165,7 +195,8 @@ BatchPlace ContactSolver::add(Cluster& cluster, const Bodies& bodies, int i, int
     const Label &a = bodies.label[at(i)], &b = bodies.label[at(j)];
     const bool a_owns = key < 0 || a.id < b.id;
     const int partner = key < 0 ? key : a_owns ? b.id : a.id;
-    const Remembered* last = memory.find(a_owns ? a.remembered : b.remembered, partner);
+    const int remembered = memory.find(a_owns ? a.remembered : b.remembered, partner);
+    const Remembered& last = memory.entry(remembered);
 
     const auto [k, lane] = cluster.places.place(i, j, a.fixed, b.fixed);
     if (k >= cluster.batches.size()) {
@@ -174,25 +205,20 @@ BatchPlace ContactSolver::add(Cluster& cluster, const Bodies& bodies, int i, int
     }
     ContactBatch& batch = cluster.batches[k];
     BatchNotes& notes = cluster.notes[k];
-    if (lane == 0) leave_empty(batch, static_cast<int>(bodies.size()));
+    if (lane == 0) leave_empty(batch, notes, static_cast<int>(bodies.size()));
     ++cluster_contacts_;
     batch.i[lane] = i;
     batch.j[lane] = j;
     batch.friction[lane] = static_cast<float>(law.friction);
     notes.owner[lane] = a_owns ? i : j;
     notes.partner[lane] = partner;
-    if (last) {
-        // restitution is for bodies that meet, not for those that press on each other already
-        const float sign = a_owns ? 1.0f : -1.0f;
-        for (int axis = 0; axis < 3; ++axis)
-            batch.tangential[axis][lane] = sign * last->impulse[axis];
-        batch.bounce[lane] = 0;
-    } else {
-        for (int axis = 0; axis < 3; ++axis)
-            batch.tangential[axis][lane] = 0;
-        batch.bounce[lane] = static_cast<float>(1 + law.restitution);
-        batch.tangential_bounce[lane] = static_cast<float>(1 + law.tangential_restitution);
-    }
+    const float sign = a_owns ? 1.0f : -1.0f;
+    for (int axis = 0; axis < 3; ++axis)
+        batch.tangential[axis][lane] = sign * last.impulse[axis];
+    // restitution is for bodies that meet, not for those that press on each other already
+    const auto meet = static_cast<float>(remembered == 0);
+    batch.bounce[lane] = meet * static_cast<float>(1 + law.restitution);
+    batch.tangential_bounce[lane] = static_cast<float>(1 + law.tangential_restitution);
     return {k, lane};
 }
 
@@ -223,8 +249,9 @@ void ContactSolver::pass(std::vector<Body>& bodies, bool ends_forward)
               phase);
 }
 
-void ContactSolver::separate(const Bodies& bodies, double share, double tolerated)
+double ContactSolver::separate(const Bodies& bodies, double share, double tolerated)
 {
+    float deepest = 0;
     for (std::size_t k = 0; k < overlaps_.size(); ++k) {
         const Overlap& overlap = overlaps_[k];
         const Overlap& soon = overlaps_[std::min(k + ahead, overlaps_.size() - 1)];
@@ -232,6 +259,7 @@ void ContactSolver::separate(const Bodies& bodies, double share, double tolerate
         __builtin_prefetch(&bodies.body[at(soon.j)]);
         const Body &a = bodies.body[at(overlap.i)], &b = bodies.body[at(overlap.j)];
         Vector &shift_a = shift_[at(overlap.i)], &shift_b = shift_[at(overlap.j)];
+        deepest = std::max(deepest, -overlap.gap);
         const Vector normal = vector(overlap.normal);
         const Vector moves = step_ * (vector(b.velocity) - vector(a.velocity)) + shift_b - shift_a;
         const double left = -tolerated - (overlap.gap + moves.dot(normal));
@@ -240,6 +268,7 @@ void ContactSolver::separate(const Bodies& bodies, double share, double tolerate
         shift_a -= push * a.inverse_mass * normal;
         shift_b += push * b.inverse_mass * normal;
     }
+    return deepest;
 }
 
 void ContactSolver::finish(const Bodies& bodies, const std::vector<int>& particle, ImpulseMemory& memory)
@@ -259,18 +288,16 @@ void ContactSolver::finish(const Cluster& cluster, const std::vector<int>& parti
         const BatchNotes& notes = cluster.notes[k];
         for (int lane = 0; lane < lanes; ++lane) {
             if (batch.impulse[lane] <= 0) continue;
-            ++pushes_[at(batch.i[lane])];
-            ++pushes_[at(batch.j[lane])];
-            Remembered entry{notes.partner[lane], {0, 0, 0}};
-            if (batch.bounce[lane] > 0) {
-                // the next step finds the two at rest against each other, but not pressing
-                impacts_.push_back({&batch, lane, notes.touch_time[lane]});
-            } else {
-                const float sign = notes.owner[lane] == batch.i[lane] ? 1.0f : -1.0f;
-                for (int axis = 0; axis < 3; ++axis)
-                    entry.impulse[axis] =
-                        sign * (batch.impulse[lane] * batch.normal[axis][lane] + batch.tangential[axis][lane]);
-            }
+            const bool impact = batch.bounce[lane] > 0;
+            count_touch(pushes_[at(batch.i[lane])], 1);
+            count_touch(pushes_[at(batch.j[lane])], 1);
+            if (impact) impacts_.push_back({&batch, lane, notes.touch_time[lane]});
+            // the next step finds the two of an impact at rest against each other, but not pressing
+            const float sign = impact ? 0.0f : notes.owner[lane] == batch.i[lane] ? 1.0f : -1.0f;
+            Remembered entry{notes.partner[lane]};
+            for (int axis = 0; axis < 3; ++axis)
+                entry.impulse[axis] =
+                    sign * (batch.impulse[lane] * batch.normal[axis][lane] + batch.tangential[axis][lane]);
             memory.add(particle[at(notes.owner[lane])], entry);
         }
     }

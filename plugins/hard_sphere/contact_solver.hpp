@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "hard_sphere/batch_builder.hpp"
@@ -19,11 +20,15 @@ namespace interphase::hard_sphere {
 /// CMAME 177 (1999) 235; Radjai and Richefeu, Mech. Mater. 41 (2009) 715), from the impulses of the last step.
 class ContactSolver {
 public:
-    /// Counts what touches each body. Of ghosts, the owners know the count.
-    std::vector<int>& count_touches(const PairSearch& pairs, const std::vector<Contact>& walls);
+    /// Counts what touches each body, 2 standing for more. Of ghosts, the owners know the count.
+    std::vector<std::uint8_t>& count_touches(const PairSearch& pairs, const std::vector<Contact>& walls);
+
+    /// Tells from these counts which bodies are in clusters.
+    void classify(const Bodies& bodies);
 
     /// Counts which bodies of clusters this rank is going to change in its passes: 1 or 0.
-    std::vector<int>& count_users(const Bodies& bodies, const PairSearch& pairs, const std::vector<Contact>& walls);
+    std::vector<std::uint8_t>& count_users(const Bodies& bodies, const PairSearch& pairs,
+                                           const std::vector<Contact>& walls);
 
     /// Resolves binary collisions and makes the others ready. A pair across two ranks is resolved by the one that owns
     /// the lower id. `passes`, at least 2: how many will follow.
@@ -35,8 +40,9 @@ public:
     void pass(std::vector<Body>& bodies, bool ends_forward);
 
     /// Pushes overlapping spheres apart by `share` of what is left of their overlap at the end of the step, without
-    /// touching their velocities: no kinetic energy comes from it. `tolerated`: overlap that may stay [m].
-    void separate(const Bodies& bodies, double share, double tolerated);
+    /// touching their velocities: no kinetic energy comes from it. `tolerated`: overlap that may stay [m]. Returns the
+    /// deepest overlap of spheres at the start of the step [m].
+    double separate(const Bodies& bodies, double share, double tolerated);
 
     /// Puts down the impulses of clusters for the next step; `particle[b]` is the body's index in `memory`. Bodies that
     /// only an impact has changed move as they came until the moment of touching, as in a binary collision.
@@ -62,9 +68,14 @@ private:
         float touch_time;
     };
 
+    /// Of a body; a fixed one may be in a cluster and touch one body only at the same time.
+    enum Role : std::uint8_t { ghost_or_fixed = 1, touches_one = 2, in_cluster = 4 };
+
+    bool has(Role role, int body) const { return (roles_[static_cast<std::size_t>(body)] & role) != 0; }
+    bool both_have(Role role, const Pair& pair) const { return has(role, pair.i) & has(role, pair.j); }
     bool takes_part(const Bodies& bodies, const Pair& pair) const;
-    bool has_one_touch(const Label& label, int body) const;
-    bool in_cluster(const Label& label, int body) const;
+    void add_pairs(Bodies& bodies, const PairSearch& pairs, const Materials& materials, const StepLimits& limits,
+                   const ImpulseMemory& memory);
     void resolve_binary(Bodies& bodies, const Contact& contact);
     BatchPlace add(Cluster& cluster, const Bodies& bodies, int i, int j, int key, const ContactLaw& law,
                    const ImpulseMemory& memory);
@@ -79,8 +90,9 @@ private:
     Cluster walls_, spheres_;
     std::vector<Overlap> overlaps_;
     std::vector<Vector> shift_;
-    std::vector<int> touches_, users_;  ///< of each body [bodies]
-    std::vector<int> pushes_;           ///< contacts that gave the body an impulse [bodies]
+    std::vector<std::uint8_t> touches_, roles_, users_;  ///< of each body; small, for these are asked at random
+    std::vector<std::uint8_t> pushes_;                   ///< contacts that gave the body an impulse, at most 2
+    std::vector<Pair> cluster_pairs_, binary_pairs_;     ///< of spheres, those that take part
     std::vector<Impact> impacts_;
 };
 

@@ -26,6 +26,7 @@ constexpr int grow_callback = 0;
 constexpr int most_parts = 100;
 constexpr double touching_share = 0.1;  // of the margin
 constexpr int ahead = 8;                // spheres
+constexpr double deep = 0.2;            // of a diameter: overlaps that are worth a word
 constexpr double usual_reach = 0.3;     // of a diameter: hardly any pair closes a wider gap in a step
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -52,11 +53,14 @@ FixTdhs::~FixTdhs() { atom->delete_callback(id, grow_callback); }
 
 void FixTdhs::post_run()
 {
-    if (shortened_ == 0 || comm->me != 0) return;
-    for (FILE* stream : {screen, logfile})
-        if (stream)
-            std::fprintf(stream, "Fix tdhs resolved contacts in more than one part in %ld steps, for fast spheres\n",
-                         shortened_);
+    if (shortened_ > 0)
+        say("Fix tdhs resolved contacts in more than one part in %ld steps, for fast spheres\n", shortened_);
+    const double deepest = shared_max(deepest_);
+    if (deepest > deep)
+        say("Fix tdhs: the deepest overlap was %g of the smallest diameter. If the bed sinks, give more `passes` (now "
+            "%d) "
+            "or a shorter step\n",
+            deepest, effort_.passes);
 }
 
 int FixTdhs::setmask() { return LAMMPS_NS::FixConst::INITIAL_INTEGRATE | LAMMPS_NS::FixConst::FINAL_INTEGRATE; }
@@ -93,6 +97,7 @@ void FixTdhs::init()
         }
     smallest_radius_ = -shared_max(-smallest);
     largest_radius_ = shared_max(largest);
+    choose_effort();
     // ghosts as far away as a pair may be that meets within one step
     sort_by_default();
     comm->cutghostuser = std::max(comm->cutghostuser, 4 * largest_radius_ + neighbor->skin);
@@ -184,16 +189,18 @@ void FixTdhs::resolve_contacts()
 
     cost_.switch_to(Part::contacts);
     counts_ = &solver_.count_touches(pairs_, wall_contacts_);
+    if (has_ghosts()) tell_counts();
+    solver_.classify(bodies_);
     if (has_ghosts()) split_masses();
-    solver_.start(bodies_, pairs_, wall_contacts_, materials_, limits_, memory_, passes_);
+    solver_.start(bodies_, pairs_, wall_contacts_, materials_, limits_, memory_, effort_.passes);
     share_changes();
-    for (int k = 0; k < passes_; ++k) {
+    for (int k = 0; k < effort_.passes; ++k) {
         solver_.pass(bodies_.body, up_is_forward_);
         share_changes();
     }
     if (has_ghosts()) join_masses();
     solver_.finish(bodies_, grid_.order(), memory_);
-    solver_.separate(bodies_, share_, limits_.tolerated);
+    deepest_ = std::max(deepest_, solver_.separate(bodies_, share_, limits_.tolerated) / (2 * smallest_radius_));
     cost_.switch_to(Part::integration);
     scatter();
 }
@@ -289,7 +296,7 @@ void FixTdhs::choose_parts()
     if (parts_ > 1) ++shortened_;
     limits_.step = update->dt / parts_;
     limits_.farthest = fastest * limits_.step;
-    limits_.margin = margin_ * diameter;
+    limits_.margin = effort_.margin * diameter;
     limits_.tolerated = tolerated_ * diameter;
     limits_.relief = relief_;
     limits_.touching = touching_share * limits_.margin;

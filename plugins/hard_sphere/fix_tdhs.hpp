@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "comm.h"
 #include "fix.h"
 #include "hard_sphere/cell_grid.hpp"
 #include "hard_sphere/contact_solver.hpp"
 #include "hard_sphere/cost.hpp"
+#include "hard_sphere/effort.hpp"
 #include "hard_sphere/pair_search.hpp"
 #include "hard_sphere/wall.hpp"
 
@@ -62,10 +65,12 @@ private:
     void add_forces();
     void gather();
     void gather(int first, int last);
+    void choose_effort();
     void choose_parts();
     void move();
     void resolve_contacts();
     bool has_ghosts() const;
+    void tell_counts();  ///< of touches, to the ranks that have a sphere as a ghost
 
     /// A body that several ranks change in a pass is, for each, a part of it: the ranks would all give it the whole
     /// answer otherwise, and shake it (mass splitting: Tonge et al., ACM Trans. Graph. 31 (2012) 105).
@@ -74,11 +79,19 @@ private:
     void share_changes();
 
     void scatter();
+    template <class... Values>
+    void say(const char* format, Values... values) const
+    {
+        if (comm->me != 0) return;
+        for (FILE* stream : {screen, logfile})
+            if (stream) std::fprintf(stream, format, values...);
+    }
     double shared_max(double value) const;
 
     // what the script says
-    int passes_ = 3;
-    double margin_ = 0.02, share_ = 0.5, relief_ = 0, tolerated_ = 3e-3;
+    int passes_given_ = 0;      ///< 0: not
+    double margin_given_ = -1;  ///< below 0: not
+    double share_ = 0.8, relief_ = 0, tolerated_ = 3e-3;
     double resting_speed_ = -1;  ///< [m/s]; below 0: from gravity
     bool shortens_ = true;
 
@@ -91,6 +104,9 @@ private:
 
     int parts_ = 1;       ///< of the step, so that no sphere moves too far in one
     long shortened_ = 0;  ///< steps of more than one part
+
+    Effort effort_{};
+    double deepest_ = 0;  ///< overlap so far, of the smallest diameter
 
     Materials materials_;
     std::vector<std::unique_ptr<Wall>> walls_;
@@ -107,9 +123,9 @@ private:
     PairSearch pairs_;
     std::vector<Contact> wall_contacts_;
     ContactSolver solver_;
-    std::vector<int>* counts_ = nullptr;  ///< the solver's, which ranks tell each other
-    std::vector<int> body_of_;            ///< [atoms, ghosts included]
-    std::vector<Body> shared_;            ///< as all ranks last knew them, masses whole [bodies]
+    std::vector<std::uint8_t>* counts_ = nullptr;  ///< the solver's, which ranks tell each other
+    std::vector<int> body_of_;                     ///< [atoms, ghosts included]
+    std::vector<Body> shared_;                     ///< as all ranks last knew them, masses whole [bodies]
     Message message_ = Message::start;
     Cost cost_;
 };

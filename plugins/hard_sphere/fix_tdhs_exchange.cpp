@@ -51,18 +51,24 @@ double FixTdhs::memory_usage()
                                bodies_.size() * (sizeof(Body) + sizeof(Path) + sizeof(Label) + sizeof(Push)));
 }
 
+void FixTdhs::tell_counts()
+{
+    cost_.switch_to(Part::communication);
+    message_ = Message::counts;
+    comm->forward_comm_fix(this);
+    cost_.switch_to(Part::contacts);
+}
+
 void FixTdhs::split_masses()
 {
     cost_.switch_to(Part::communication);
     message_ = Message::counts;
-    comm->forward_comm_fix(this);  // how many touches the owners have counted
-
     counts_ = &solver_.count_users(bodies_, pairs_, wall_contacts_);
     comm->reverse_comm_fix(this);
     comm->forward_comm_fix(this);
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         shared_[b] = bodies_.body[b];
-        const int users = std::max(1, (*counts_)[b]);
+        const int users = std::max<int>(1, (*counts_)[b]);
         bodies_.body[b].inverse_mass *= users;
         bodies_.body[b].inverse_inertia *= users;
     }
@@ -86,7 +92,7 @@ void FixTdhs::share_changes()
     // a body in parts has the mean velocity of its parts
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         if (bodies_.label[b].ghost) continue;
-        const double share = 1.0 / std::max(1, (*counts_)[b]);
+        const double share = 1.0 / std::max<int>(1, (*counts_)[b]);
         Body &body = bodies_.body[b], &before = shared_[b];
         for (int axis = 0; axis < 3; ++axis) {
             body.velocity[axis] = before.velocity[axis] + share * (body.velocity[axis] - before.velocity[axis]);
@@ -124,7 +130,7 @@ void FixTdhs::unpack_comm(int n, int first, double* buffer)
     const double* next = buffer;
     for (int i = first; i < first + n; ++i) {
         if (message_ == Message::counts) {
-            (*counts_)[at(body_of_[at(i)])] = static_cast<int>(*next++);
+            (*counts_)[at(body_of_[at(i)])] = static_cast<std::uint8_t>(*next++);
         } else if (message_ == Message::start) {
             std::copy_n(next, 3, atom->v[i]);
             std::copy_n(next + 3, 3, atom->omega[i]);
@@ -168,7 +174,8 @@ void FixTdhs::unpack_reverse_comm(int n, int* list, double* buffer)
     for (int k = 0; k < n; ++k) {
         const auto b = at(body_of_[at(list[k])]);
         if (message_ == Message::counts) {
-            (*counts_)[b] += static_cast<int>(*next++);
+            // ranks that share a sphere; of 255 and more, which none will be, the last share its mass too thin
+            (*counts_)[b] = static_cast<std::uint8_t>(std::min((*counts_)[b] + *next++, 255.0));
             continue;
         }
         if (message_ == Message::shift) {

@@ -10,6 +10,7 @@
 #include "force.h"
 #include "hard_sphere/fix_tdhs.hpp"
 #include "modify.h"
+#include "update.h"
 
 namespace interphase::hard_sphere {
 
@@ -34,10 +35,10 @@ void FixTdhs::read_arguments(int narg, char** arg)
         if (key == "passes") {
             check(value >= 2 && value <= 1000 && value == std::floor(value),
                   "give a whole number of at least 2, at most 1000");
-            passes_ = static_cast<int>(value);
+            passes_given_ = static_cast<int>(value);
         } else if (key == "margin") {
             check(value >= 0 && value <= 1, "give a share of a diameter, 0 to 1");
-            margin_ = value;
+            margin_given_ = value;
         } else if (key == "separation") {
             check(value >= 0 && value <= 1, "give the share of an overlap taken away in a step by position, 0 to 1");
             share_ = value;
@@ -56,6 +57,15 @@ void FixTdhs::read_arguments(int narg, char** arg)
                  "resting_speed, too_fast");
         }
     }
+}
+
+void FixTdhs::choose_effort()
+{
+    effort_ = usual_effort(gravity_, update->dt, 2 * smallest_radius_);
+    if (passes_given_ > 0) effort_.passes = passes_given_;
+    if (margin_given_ >= 0) effort_.margin = margin_given_;
+    say("Fix tdhs: %d passes over the contacts of a step, margin %g of the smallest diameter\n", effort_.passes,
+        effort_.margin);
 }
 
 void FixTdhs::refuse_company()

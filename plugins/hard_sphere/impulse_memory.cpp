@@ -14,15 +14,15 @@ constexpr int most_packed = 200;
 
 void ImpulseMemory::forget()
 {
-    std::fill(first_.begin(), first_.end(), -1);
-    entries_.clear();
+    std::fill(first_.begin(), first_.end(), 0);
+    count_ = 1;
 }
 
 int ImpulseMemory::pack(int particle, double* buffer) const
 {
     double* next = buffer + 1;
     int count = 0;
-    for (int k = first(particle); k >= 0 && count < most_packed; ++count) {
+    for (int k = first(particle); k != 0 && count < most_packed; ++count) {
         const Remembered& entry = entries_[static_cast<std::size_t>(k)];
         *next++ = entry.partner;
         next = std::copy_n(entry.impulse, 3, next);

@@ -8,42 +8,57 @@ namespace interphase::hard_sphere {
 
 /// An impulse that a contact passed on in the last step, remembered by one of its bodies.
 struct Remembered {
-    int partner;       ///< id of the other body, or the key (below 0) of a wall
-    float impulse[3];  ///< on the partner [kg m/s]
-    int next = -1;     ///< the particle's next entry; below 0: none
+    int partner = 0;               ///< id (above 0) of the other body, or the key (below 0) of a wall
+    float impulse[3] = {0, 0, 0};  ///< on the partner [kg m/s]
+    int next = 0;                  ///< the particle's next entry; 0: none
 };
 
 /// What each particle remembers of its contacts, for the next step to start from. Particles go by their index in the
 /// particle engine, which may reorder and exchange them between two steps.
 class ImpulseMemory {
 public:
-    /// The particle's first entry; below 0: none.
+    /// The particle's first entry; 0: none.
     int first(int particle) const { return first_[static_cast<std::size_t>(particle)]; }
 
-    /// In the list that starts with the entry `first`; null where the particle did not touch that partner.
-    const Remembered* find(int first, int partner) const
+    /// The entry under `partner` in the list that starts with `first`; 0 where the particle did not touch it.
+    int find(int first, int partner) const
     {
-        for (int k = first; k >= 0; k = entries_[static_cast<std::size_t>(k)].next)
-            if (entries_[static_cast<std::size_t>(k)].partner == partner) return &entries_[static_cast<std::size_t>(k)];
-        return nullptr;
+        const Remembered* entries = entries_.data();
+        // Most lists are short, and no processor foresees how short: the end of a list leads back to the end.
+        constexpr int usual = 3;
+        int k = first, found = 0;
+        for (int step = 0; step < usual; ++step) {
+            found = entries[k].partner == partner ? k : found;
+            k = entries[k].next;
+        }
+        for (; k != 0 && found == 0; k = entries[k].next)
+            if (entries[k].partner == partner) found = k;
+        return found;
     }
 
+    /// Entry 0 has no partner and no impulse.
+    const Remembered& entry(int k) const { return entries_[static_cast<std::size_t>(k)]; }
+
     /// Tells the processor that find() will be asked.
-    void fetch(int first) const { __builtin_prefetch(entries_.data() + (first < 0 ? 0 : first)); }
+    void fetch(int first) const { __builtin_prefetch(entries_.data() + first); }
 
     /// Of all particles.
     void forget();
-    void add(int particle, Remembered entry)
+
+    /// `worth_it`: false leaves all as it is, and costs no guess of the processor's.
+    void add(int particle, Remembered entry, bool worth_it = true)
     {
+        if (count_ == entries_.size()) entries_.resize(2 * count_);
         int& first = first_[static_cast<std::size_t>(particle)];
         entry.next = first;
-        first = static_cast<int>(entries_.size());
-        entries_.push_back(entry);
+        entries_[count_] = entry;
+        first = worth_it ? static_cast<int>(count_) : first;
+        count_ += worth_it;
     }
 
-    void grow(std::size_t particles) { first_.resize(particles, -1); }
+    void grow(std::size_t particles) { first_.resize(particles, 0); }
     void copy(int from, int to) { first_[static_cast<std::size_t>(to)] = first_[static_cast<std::size_t>(from)]; }
-    void forget(int particle) { first_[static_cast<std::size_t>(particle)] = -1; }
+    void forget(int particle) { first_[static_cast<std::size_t>(particle)] = 0; }
 
     /// As plain numbers; return how many were written or read.
     int pack(int particle, double* buffer) const;
@@ -51,7 +66,8 @@ public:
 
 private:
     std::vector<int> first_;
-    std::vector<Remembered> entries_;
+    std::vector<Remembered> entries_{1024};  ///< the first one ends all lists
+    std::size_t count_ = 1;
 };
 
 }  // namespace interphase::hard_sphere

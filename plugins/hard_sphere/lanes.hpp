@@ -8,93 +8,197 @@
 #include "hard_sphere/contact_batch.hpp"
 #include "hard_sphere/processor.hpp"
 
-/// The contacts of a batch side by side, in vectors of the compiler. They stay within a translation unit.
+/// Contacts of a batch side by side, in vectors of the compiler: `width` of them, 4 or 8, as the processor takes them.
+/// They stay within a translation unit.
 namespace interphase::hard_sphere {
 
-using Doubles = double __attribute__((vector_size(8 * lanes)));
-using Singles = float __attribute__((vector_size(4 * lanes)));
-using Picks = long long __attribute__((vector_size(8 * lanes)));
+template <int width>
+struct Vectors {
+    typedef double Doubles __attribute__((vector_size(8 * width)));
+    typedef float Singles __attribute__((vector_size(4 * width)));
+};
+template <int width>
+using Doubles = typename Vectors<width>::Doubles;
+template <int width>
+using Singles = typename Vectors<width>::Singles;
 
+template <class D>
+inline constexpr int width_of = sizeof(D) / sizeof(double);
+
+template <class D>
 struct Triple {
-    Doubles x, y, z;
+    D x, y, z;
 };
 
-INTERPHASE_INLINE Doubles wide(const float (&narrow)[lanes])
+template <int width>
+INTERPHASE_INLINE Doubles<width> wide(const float* narrow)
 {
-    Doubles values;  // one by one: the compiler (gcc 12) converts a whole vector in halves
-    for (int k = 0; k < lanes; ++k)
+    Doubles<width> values;  // one by one: the compiler (gcc 12) converts a whole vector in halves
+    for (int k = 0; k < width; ++k)
         values[k] = narrow[k];
     return values;
 }
 
-INTERPHASE_INLINE Triple wide(const float (&narrow)[3][lanes])
+template <int width>
+INTERPHASE_INLINE Triple<Doubles<width>> wide(const float (&narrow)[3][lanes], int first)
 {
-    return {wide(narrow[0]), wide(narrow[1]), wide(narrow[2])};
+    return {wide<width>(narrow[0] + first), wide<width>(narrow[1] + first), wide<width>(narrow[2] + first)};
 }
 
-INTERPHASE_INLINE void store(float (&narrow)[lanes], const Doubles& values)
+template <class D>
+INTERPHASE_INLINE void store(float* narrow, const D& values)
 {
-    const Singles rounded = __builtin_convertvector(values, Singles);
+    const auto rounded = __builtin_convertvector(values, Singles<width_of<D>>);
     std::memcpy(narrow, &rounded, sizeof rounded);
 }
 
-INTERPHASE_INLINE void store(float (&narrow)[3][lanes], const Triple& values)
+template <class D>
+INTERPHASE_INLINE void store(float (&narrow)[3][lanes], int first, const Triple<D>& values)
 {
-    store(narrow[0], values.x);
-    store(narrow[1], values.y);
-    store(narrow[2], values.z);
+    store(narrow[0] + first, values.x);
+    store(narrow[1] + first, values.y);
+    store(narrow[2] + first, values.z);
 }
 
-INTERPHASE_INLINE Doubles smaller(const Doubles& a, const Doubles& b) { return a < b ? a : b; }
-INTERPHASE_INLINE Doubles larger(const Doubles& a, const Doubles& b) { return a > b ? a : b; }
-
-template <class Vectors>
-INTERPHASE_INLINE Vectors square_root(const Vectors& values)
+/// `yes` where `value` is below zero, else `no`, by its sign. The compiler (gcc 12) takes comparisons of vectors apart,
+/// number by number, once two of them meet.
+template <class D>
+INTERPHASE_INLINE D if_negative(const D& value, const D& yes, const D& no)
 {
-    Vectors roots;
-    for (int k = 0; k < lanes; ++k)
+    using Bits = decltype(value < value);
+    const Bits negative = (Bits)(value + 0.0) >> 63;  // the sign of a zero does not count
+    return (D)(((Bits)yes & negative) | ((Bits)no & ~negative));
+}
+
+template <class D>
+INTERPHASE_INLINE D if_positive(const D& value, const D& yes, const D& no)
+{
+    return if_negative(D(-value), yes, no);
+}
+
+template <class D>
+INTERPHASE_INLINE Triple<D> if_positive(const D& value, const Triple<D>& yes, const Triple<D>& no)
+{
+    return {if_positive(value, yes.x, no.x), if_positive(value, yes.y, no.y), if_positive(value, yes.z, no.z)};
+}
+
+template <class D>
+INTERPHASE_INLINE D smaller(const D& a, const D& b)
+{
+    return a < b ? a : b;
+}
+
+template <class D>
+INTERPHASE_INLINE D larger(const D& a, const D& b)
+{
+    return a > b ? a : b;
+}
+
+template <class D>
+INTERPHASE_INLINE D square_root(const D& values)
+{
+    D roots;
+    for (int k = 0; k < width_of<D>; ++k)
         roots[k] = std::sqrt(values[k]);
     return roots;
 }
 
-INTERPHASE_INLINE Triple operator+(const Triple& a, const Triple& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-INTERPHASE_INLINE Triple operator-(const Triple& a, const Triple& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-INTERPHASE_INLINE Triple operator*(const Doubles& s, const Triple& a) { return {s * a.x, s * a.y, s * a.z}; }
-INTERPHASE_INLINE Doubles dot(const Triple& a, const Triple& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+template <class D>
+INTERPHASE_INLINE Triple<D> operator+(const Triple<D>& a, const Triple<D>& b)
+{
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
 
-INTERPHASE_INLINE Triple cross(const Triple& a, const Triple& b)
+template <class D>
+INTERPHASE_INLINE Triple<D> operator-(const Triple<D>& a, const Triple<D>& b)
+{
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+template <class D>
+INTERPHASE_INLINE Triple<D> operator*(const D& s, const Triple<D>& a)
+{
+    return {s * a.x, s * a.y, s * a.z};
+}
+
+template <class D>
+INTERPHASE_INLINE D dot(const Triple<D>& a, const Triple<D>& b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <class D>
+INTERPHASE_INLINE Triple<D> cross(const Triple<D>& a, const Triple<D>& b)
 {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-template <class Vectors>
-INTERPHASE_INLINE void transpose(Vectors& a, Vectors& b, Vectors& c, Vectors& d)
+/// Of each four numbers of the vectors.
+template <class V>
+INTERPHASE_INLINE void transpose(V& a, V& b, V& c, V& d)
 {
     using Order = decltype(a < b);
-    const Vectors ab_low = __builtin_shuffle(a, b, Order{0, 4, 2, 6}),
-                  ab_high = __builtin_shuffle(a, b, Order{1, 5, 3, 7});
-    const Vectors cd_low = __builtin_shuffle(c, d, Order{0, 4, 2, 6}),
-                  cd_high = __builtin_shuffle(c, d, Order{1, 5, 3, 7});
-    a = __builtin_shuffle(ab_low, cd_low, Order{0, 1, 4, 5});
-    b = __builtin_shuffle(ab_high, cd_high, Order{0, 1, 4, 5});
-    c = __builtin_shuffle(ab_low, cd_low, Order{2, 3, 6, 7});
-    d = __builtin_shuffle(ab_high, cd_high, Order{2, 3, 6, 7});
+    if constexpr (sizeof(V) == 4 * sizeof(a[0])) {
+        const V ab_low = __builtin_shuffle(a, b, Order{0, 4, 2, 6}),
+                ab_high = __builtin_shuffle(a, b, Order{1, 5, 3, 7});
+        const V cd_low = __builtin_shuffle(c, d, Order{0, 4, 2, 6}),
+                cd_high = __builtin_shuffle(c, d, Order{1, 5, 3, 7});
+        a = __builtin_shuffle(ab_low, cd_low, Order{0, 1, 4, 5});
+        b = __builtin_shuffle(ab_high, cd_high, Order{0, 1, 4, 5});
+        c = __builtin_shuffle(ab_low, cd_low, Order{2, 3, 6, 7});
+        d = __builtin_shuffle(ab_high, cd_high, Order{2, 3, 6, 7});
+    } else {
+        constexpr Order low{0, 8, 2, 10, 4, 12, 6, 14}, high{1, 9, 3, 11, 5, 13, 7, 15};
+        constexpr Order front{0, 1, 8, 9, 4, 5, 12, 13}, back{2, 3, 10, 11, 6, 7, 14, 15};
+        const V ab_low = __builtin_shuffle(a, b, low), ab_high = __builtin_shuffle(a, b, high);
+        const V cd_low = __builtin_shuffle(c, d, low), cd_high = __builtin_shuffle(c, d, high);
+        a = __builtin_shuffle(ab_low, cd_low, front);
+        b = __builtin_shuffle(ab_high, cd_high, front);
+        c = __builtin_shuffle(ab_low, cd_low, back);
+        d = __builtin_shuffle(ab_high, cd_high, back);
+    }
 }
 
-/// Three numbers and a fourth behind them of each contact's body.
-struct Quadruple {
-    Triple three;
-    Doubles fourth;
-};
-
-template <class Row>
-INTERPHASE_INLINE Quadruple load_rows(const Row& row)
+/// Four numbers of each contact, `row(k)` pointing to those of contact k, as vectors over the contacts.
+template <class Number, int width, class Row>
+INTERPHASE_INLINE auto load_rows(const Row& row)
 {
-    Doubles r[lanes];
-    for (int k = 0; k < lanes; ++k)
-        std::memcpy(&r[k], row(k), sizeof(Doubles));
+    typedef Number Four __attribute__((vector_size(4 * sizeof(Number))));
+    typedef Number All __attribute__((vector_size(width * sizeof(Number))));
+    struct {
+        All r[4];
+    } rows;
+    for (int k = 0; k < 4; ++k) {
+        Four low;
+        std::memcpy(&low, row(k), sizeof low);
+        if constexpr (width == 4) {
+            rows.r[k] = low;
+        } else {
+            Four high;
+            std::memcpy(&high, row(k + 4), sizeof high);
+            rows.r[k] = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+        }
+    }
+    transpose(rows.r[0], rows.r[1], rows.r[2], rows.r[3]);
+    return rows;
+}
+
+/// The reverse.
+template <class D, class Row>
+INTERPHASE_INLINE void store_rows(const Triple<D>& three, const D& fourth, const Row& row)
+{
+    D r[4] = {three.x, three.y, three.z, fourth};
     transpose(r[0], r[1], r[2], r[3]);
-    return {{r[0], r[1], r[2]}, r[3]};
+    for (int k = 0; k < 4; ++k) {
+        if constexpr (width_of<D> == 4) {
+            std::memcpy(row(k), &r[k], sizeof r[k]);
+        } else {
+            const Doubles<4> low = __builtin_shufflevector(r[k], r[k], 0, 1, 2, 3),
+                             high = __builtin_shufflevector(r[k], r[k], 4, 5, 6, 7);
+            std::memcpy(row(k), &low, sizeof low);
+            std::memcpy(row(k + 4), &high, sizeof high);
+        }
+    }
 }
 
 /// Bodies are too many for the processor's near caches, and contacts name them in no order that it could foresee.
@@ -106,41 +210,45 @@ INTERPHASE_INLINE void fetch(const Item* items, const int (&index)[lanes])
 }
 
 /// The bodies on one side of the contacts.
+template <class D>
 struct Side {
-    Triple velocity, spin;
-    Doubles inverse_mass, inverse_inertia;
+    Triple<D> velocity, spin;
+    D inverse_mass, inverse_inertia;
 };
 
-INTERPHASE_INLINE Side load(const Body* bodies, const int (&index)[lanes])
+template <int width>
+INTERPHASE_INLINE Side<Doubles<width>> load(const Body* bodies, const int* index)
 {
-    const Quadruple v = load_rows([&](int k) __attribute__((always_inline)) { return bodies[index[k]].velocity; });
-    const Quadruple w = load_rows([&](int k) __attribute__((always_inline)) { return bodies[index[k]].spin; });
-    return {v.three, w.three, v.fourth, w.fourth};
+    const auto v =
+        load_rows<double, width>([&](int k) __attribute__((always_inline)) { return bodies[index[k]].velocity; });
+    const auto w =
+        load_rows<double, width>([&](int k) __attribute__((always_inline)) { return bodies[index[k]].spin; });
+    return {{v.r[0], v.r[1], v.r[2]}, {w.r[0], w.r[1], w.r[2]}, v.r[3], w.r[3]};
 }
 
-INTERPHASE_INLINE void store(Body* bodies, const int (&index)[lanes], const Side& side)
+template <class D>
+INTERPHASE_INLINE void store(Body* bodies, const int* index, const Side<D>& side)
 {
-    Doubles v[4] = {side.velocity.x, side.velocity.y, side.velocity.z, side.inverse_mass};
-    Doubles w[4] = {side.spin.x, side.spin.y, side.spin.z, side.inverse_inertia};
-    transpose(v[0], v[1], v[2], v[3]);
-    transpose(w[0], w[1], w[2], w[3]);
-    for (int k = 0; k < lanes; ++k) {
-        std::memcpy(bodies[index[k]].velocity, &v[k], sizeof(Doubles));
-        std::memcpy(bodies[index[k]].spin, &w[k], sizeof(Doubles));
-    }
+    store_rows(
+        side.velocity,
+        side.inverse_mass, [&](int k) __attribute__((always_inline)) { return bodies[index[k]].velocity; });
+    store_rows(
+        side.spin, side.inverse_inertia, [&](int k) __attribute__((always_inline)) { return bodies[index[k]].spin; });
 }
 
-/// Gives `impulse` to the bodies on side b, its opposite to those on side a.
-INTERPHASE_INLINE void give(Body* bodies, const ContactBatch& batch, Side& a, Side& b, const Triple& normal,
-                            const Triple& impulse)
+/// Gives `impulse` to the bodies on side b, its opposite to those on side a; of the contacts from `first` on.
+template <class D>
+INTERPHASE_INLINE void give(Body* bodies, const ContactBatch& batch, int first, Side<D>& a, Side<D>& b,
+                            const Triple<D>& normal, const Triple<D>& impulse)
 {
-    const Triple twist = cross(normal, impulse);
+    constexpr int width = width_of<D>;
+    const Triple<D> twist = cross(normal, impulse);
     a.velocity = a.velocity - a.inverse_mass * impulse;
     b.velocity = b.velocity + b.inverse_mass * impulse;
-    a.spin = a.spin - (wide(batch.arm_i) * a.inverse_inertia) * twist;
-    b.spin = b.spin - (wide(batch.arm_j) * b.inverse_inertia) * twist;
-    store(bodies, batch.i, a);
-    store(bodies, batch.j, b);
+    a.spin = a.spin - (wide<width>(batch.arm_i + first) * a.inverse_inertia) * twist;
+    b.spin = b.spin - (wide<width>(batch.arm_j + first) * b.inverse_inertia) * twist;
+    store(bodies, batch.i + first, a);
+    store(bodies, batch.j + first, b);
 }
 
 }  // namespace interphase::hard_sphere

@@ -34,7 +34,16 @@ INTERPHASE_INLINE Ints in_halves(int a, int b)
     return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
 }
 
-INTERPHASE_INLINE Floats smaller(const Floats& a, const Floats& b) { return a < b ? a : b; }
+/// All bits set where the value is below zero, by its sign. Comparisons of vectors the compiler (gcc 12) would take
+/// apart, number by number.
+INTERPHASE_INLINE Ints below_zero(const Floats& values) { return (Ints)values >> 31; }
+
+INTERPHASE_INLINE Floats choose(const Ints& where, const Floats& yes, const Floats& no)
+{
+    return (Floats)(((Ints)yes & where) | ((Ints)no & ~where));
+}
+
+INTERPHASE_INLINE Floats smaller(const Floats& a, const Floats& b) { return choose(below_zero(a - b), a, b); }
 
 }  // namespace
 
@@ -54,7 +63,7 @@ void PairSearch::look_through(const Coarse& spheres, const CellGrid& grid, doubl
     const float beside = static_cast<float>(margin + spheres.rounding);
     const float less = static_cast<float>(margin - touching), dt = static_cast<float>(step);
     const Ints lane{0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7};
-    const Floats zero{}, one = zero + 1;
+    const Floats one = Floats{} + 1;
     if (rows_.empty()) rows_.resize(1024);
     Row *row = rows_.data(), *full = row + rows_.size();
 
@@ -72,12 +81,12 @@ void PairSearch::look_through(const Coarse& spheres, const CellGrid& grid, doubl
             // between by closing^2/speed2 below the start. Multiplied by speed2 that needs no division.
             const Floats closing_at_end = closing + dt * speed2;
             const Floats at_end = squared + dt * (closing + closing_at_end);
-            const Ints between = closing * closing_at_end < zero;
-            const Floats scale = between ? speed2 : one;
-            const Floats nearest = between ? squared * speed2 - closing * closing : smaller(squared, at_end);
-            const Ints valid = lane < in_halves(a.last - j, b.last - k);
-            const Ints near = (nearest < within * within * scale) & valid & 1,
-                       touch = (nearest < hits * hits * scale) & valid & 2;
+            const Ints between = below_zero(closing * closing_at_end);
+            const Floats scale = choose(between, speed2, one);
+            const Floats nearest = choose(between, squared * speed2 - closing * closing, smaller(squared, at_end));
+            const Ints valid = (lane - in_halves(a.last - j, b.last - k)) >> 31;
+            const Ints near = below_zero(nearest - within * within * scale) & valid & 1,
+                       touch = below_zero(nearest - hits * hits * scale) & valid & 2;
             const Bytes found = __builtin_convertvector(near | touch, Bytes);
             row->i = i;
             row->first[0] = j;
@@ -110,8 +119,8 @@ void PairSearch::write_pairs()
                 left &= ~(std::uint64_t{3} << bit);
                 const int j = row.first[range] + bit / 8;
                 *pair++ = {row.i, j, found >> 1};
-                touches_[static_cast<std::size_t>(row.i)] += found >> 1;
-                touches_[static_cast<std::size_t>(j)] += found >> 1;
+                count_touch(touches_[static_cast<std::size_t>(row.i)], found >> 1);
+                count_touch(touches_[static_cast<std::size_t>(j)], found >> 1);
             }
         used_ = static_cast<std::size_t>(pair - pairs_.data());
     }

@@ -16,6 +16,12 @@ struct Pair {
     unsigned touch : 1;  ///< they touch within the step, or all but do
 };
 
+/// `touches`: 0, 1, or 2 for more: the solver asks no more.
+inline void count_touch(std::uint8_t& touches, unsigned touch)
+{
+    touches = static_cast<std::uint8_t>(touches + (touch & (touches < 2)));
+}
+
 /// Finds the pairs that come nearer than `margin` on their straight paths within a step.
 class PairSearch {
 public:
@@ -23,8 +29,8 @@ public:
     /// [m] counts as a touch.
     void find(const Bodies& bodies, const CellGrid& grid, double step, double margin, double touching);
 
-    /// How many pairs touch each body [bodies and walls].
-    const std::vector<int>& touches() const { return touches_; }
+    /// How many pairs touch each body, 2 standing for more [bodies and walls].
+    const std::vector<std::uint8_t>& touches() const { return touches_; }
 
     const Pair* begin() const { return pairs_.data(); }
     const Pair* end() const { return pairs_.data() + used_; }
@@ -44,7 +50,7 @@ private:
     std::size_t row_count_ = 0;
     std::vector<Pair> pairs_;
     std::size_t used_ = 0;
-    std::vector<int> touches_;
+    std::vector<std::uint8_t> touches_;
 };
 
 }  // namespace interphase::hard_sphere

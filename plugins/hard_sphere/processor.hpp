@@ -10,6 +10,13 @@
 #define INTERPHASE_CLONES
 #endif
 
+/// A function for processors with registers of 512 bits only, to be called where has_widest().
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define INTERPHASE_WIDEST __attribute__((target("arch=x86-64-v4")))
+#else
+#define INTERPHASE_WIDEST
+#endif
+
 /// Without it the clones would call one function compiled for the oldest processor.
 #define INTERPHASE_INLINE inline __attribute__((always_inline))
 
@@ -18,6 +25,16 @@
 #endif
 
 namespace interphase::hard_sphere {
+
+inline bool has_widest()
+{
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+    static const bool found = __builtin_cpu_supports("x86-64-v4");
+    return found;
+#else
+    return false;
+#endif
+}
 
 /// While one of these lives, numbers too small for full precision (below 1e-38 in single) count as zero. Processors
 /// are many times slower with them, and spheres at rest are full of them.

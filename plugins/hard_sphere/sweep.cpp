@@ -8,7 +8,8 @@ namespace interphase::hard_sphere {
 namespace {
 
 /// min(1, limit/size), size given by its square.
-INTERPHASE_INLINE Doubles cone(const Doubles& limit, const Doubles& squared)
+template <class D>
+INTERPHASE_INLINE D cone(const D& limit, const D& squared)
 {
     constexpr double tiny = 1e-200;  // no lane may divide by zero
     return limit / (larger(square_root(squared), limit) + tiny);
@@ -18,83 +19,95 @@ INTERPHASE_INLINE Doubles cone(const Doubles& limit, const Doubles& squared)
 /// normal (Hoomans et al. 1996).
 constexpr double tangential_share = 2.0 / 7.0;
 
-template <Phase phase>
-INTERPHASE_INLINE void resolve(Body* bodies, ContactBatch& batch)
+/// The contacts of a batch from `first` on.
+template <Phase phase, int width>
+INTERPHASE_INLINE void resolve(Body* bodies, ContactBatch& batch, int first)
 {
-    Side a = load(bodies, batch.i), b = load(bodies, batch.j);
-    const Triple normal = wide(batch.normal);
-    Triple slip = b.velocity - a.velocity - cross(wide(batch.arm_i) * a.spin + wide(batch.arm_j) * b.spin, normal);
-    const Doubles apart = dot(slip, normal);
+    using D = Doubles<width>;
+    using Three = Triple<D>;
+    Side<D> a = load<width>(bodies, batch.i + first), b = load<width>(bodies, batch.j + first);
+    const Three normal = wide<width>(batch.normal, first);
+    const Three turning = wide<width>(batch.arm_i + first) * a.spin + wide<width>(batch.arm_j + first) * b.spin;
+    Three slip = b.velocity - a.velocity - cross(turning, normal);
+    const D apart = dot(slip, normal);
     slip = slip - apart * normal;
 
-    const Doubles zero{}, mass = wide(batch.mass), closing = wide(batch.closing), old = wide(batch.impulse);
-    const Doubles bounce = wide(batch.bounce);
-    const Picks impact = bounce > zero;
+    const D zero{}, mass = wide<width>(batch.mass + first), closing = wide<width>(batch.closing + first);
+    const D old = wide<width>(batch.impulse + first), bounce = wide<width>(batch.bounce + first);
     // What keeps the surfaces from crossing. An impact acts before they meet: it stops the approach altogether, if but
     // for it they would cross.
-    const Doubles without = old - mass * (apart + closing);
-    Doubles along = without > zero ? (impact ? without + mass * closing : without) : zero;
-    const Triple before = wide(batch.tangential);
-    Triple wanted = before - tangential_share * mass * slip;
-    if (phase != Phase::compression) {
-        Doubles least;
-        Doubles kept = 1 + zero;
-        if (phase == Phase::release) {
+    const D without = old - mass * (apart + closing);
+    D along = if_positive(without, if_positive(bounce, D(without + mass * closing), without), zero);
+    const Three before = wide<width>(batch.tangential, first);
+    Three wanted = before - D(tangential_share * mass) * slip;
+    if constexpr (phase != Phase::compression) {
+        D least, kept = 1 + zero;
+        if constexpr (phase == Phase::release) {
             least = old * bounce;
-            store(batch.least, least);
-            kept = wide(batch.tangential_bounce);
+            store(batch.least + first, least);
+            kept = wide<width>(batch.tangential_bounce + first);
         } else {
-            least = wide(batch.least);
+            least = wide<width>(batch.least + first);
         }
         along = larger(along, least);
-        wanted = {impact ? kept * before.x : wanted.x, impact ? kept * before.y : wanted.y,
-                  impact ? kept * before.z : wanted.z};
+        wanted = if_positive(bounce, kept * before, wanted);
     }
 
-    const Triple tangential = cone(wide(batch.friction) * along, dot(wanted, wanted)) * wanted;
-    store(batch.impulse, along);
-    store(batch.tangential, tangential);
-    give(bodies, batch, a, b, normal, tangential - before + (along - old) * normal);
+    const D limit = wide<width>(batch.friction + first) * along;
+    const Three tangential = cone(limit, dot(wanted, wanted)) * wanted;
+    store(batch.impulse + first, along);
+    store(batch.tangential, first, tangential);
+    give(bodies, batch, first, a, b, normal, tangential - before + D(along - old) * normal);
 }
 
-template <Phase phase>
+template <Phase phase, int width>
 INTERPHASE_INLINE void each(Body* bodies, ContactBatch* batches, std::size_t count, Direction direction)
 {
     constexpr std::size_t ahead = 4;
-    const auto prepare = [&](std::size_t k) __attribute__((always_inline))
-    {
-        if (k >= count) return;  // also below 0
-        fetch(bodies, batches[k].i);
-        fetch(bodies, batches[k].j);
-    };
-    if (direction == Direction::forward)
-        for (std::size_t k = 0; k < count; ++k) {
-            prepare(k + ahead);
-            resolve<phase>(bodies, batches[k]);
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t now = direction == Direction::forward ? k : count - 1 - k;
+        const std::size_t soon = direction == Direction::forward ? now + ahead : now - ahead;
+        if (soon < count) {  // which no number below 0 is
+            fetch(bodies, batches[soon].i);
+            fetch(bodies, batches[soon].j);
         }
-    else
-        for (std::size_t k = count; k-- > 0;) {
-            prepare(k - ahead);
-            resolve<phase>(bodies, batches[k]);
-        }
+        for (int first = 0; first < lanes; first += width)
+            resolve<phase, width>(bodies, batches[now], first);
+    }
+}
+
+template <int width>
+INTERPHASE_INLINE void pass(Body* bodies, ContactBatch* batches, std::size_t count, Direction direction, Phase phase)
+{
+    switch (phase) {
+        case Phase::compression:
+            each<Phase::compression, width>(bodies, batches, count, direction);
+            break;
+        case Phase::release:
+            each<Phase::release, width>(bodies, batches, count, direction);
+            break;
+        case Phase::after_release:
+            each<Phase::after_release, width>(bodies, batches, count, direction);
+    }
+}
+
+INTERPHASE_WIDEST void by_eight(Body* bodies, ContactBatch* batches, std::size_t count, Direction direction,
+                                Phase phase)
+{
+    pass<8>(bodies, batches, count, direction, phase);
+}
+
+INTERPHASE_CLONES void by_four(Body* bodies, ContactBatch* batches, std::size_t count, Direction direction, Phase phase)
+{
+    pass<4>(bodies, batches, count, direction, phase);
 }
 
 }  // namespace
 
-INTERPHASE_CLONES
 void sweep(std::vector<Body>& bodies, std::vector<ContactBatch>& batches, std::size_t count, Direction direction,
            Phase phase)
 {
-    switch (phase) {
-        case Phase::compression:
-            each<Phase::compression>(bodies.data(), batches.data(), count, direction);
-            break;
-        case Phase::release:
-            each<Phase::release>(bodies.data(), batches.data(), count, direction);
-            break;
-        case Phase::after_release:
-            each<Phase::after_release>(bodies.data(), batches.data(), count, direction);
-    }
+    (has_widest() ? by_eight : by_four)(bodies.data(), batches.data(), count, direction, phase);
 }
 
 }  // namespace interphase::hard_sphere

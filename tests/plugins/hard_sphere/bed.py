@@ -113,7 +113,7 @@ class Bed:
         lines += [f"{i} {x!r} {y!r} {z!r} 0 0 0" for i, (x, y, z) in enumerate(velocities.tolist(), 1)]
         support.write(path, "\n".join(lines) + "\n")
 
-    def pour(self, folder, seconds, step, ranks=1, words="passes 3", timeout=support.LONGEST):
+    def pour(self, folder, seconds, step, ranks=1, words="", timeout=support.LONGEST):
         """Lets it fall and lie for `seconds` at the solid step `step` [s]: a Lying. `words`: of fix tdhs."""
         self.write(os.path.join(folder, "bed.data"))
         support.write(os.path.join(folder, "in.liggghts"), SCRIPT)

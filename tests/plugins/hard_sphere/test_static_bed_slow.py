@@ -25,17 +25,31 @@ HEIGHT = 0.083  # mean, of the DEM [m]
 
 
 class BedOfSscp1(support.ProgramTest):
-    def test_ten_seconds(self):
-        d = bed.DIAMETER
-        poured = bed.Bed(WIDTH, DEPTH).equal(COUNT, d)
-        lying = poured.pour(self.root, SECONDS, bed.collision_time(d), timeout=7000)
-        self.assertEqual(lying.count[-1], COUNT, "spheres are lost")
-        self.assertLess(lying.unrest(), 1e-8, "kinetic energy, over that of the impact")
-        self.assertLess(abs(lying.drift()), 0.005 * d, "the height drifts [m/s]")
-        self.assertLess(abs(lying.height[-1] / HEIGHT - 1), 0.03, "mean height, over that of the DEM")
+    def lies_still(self, poured, step, **options):
+        diameter = poured.diameters.min()
+        lying = poured.pour(self.root, SECONDS, step, timeout=7000, **options)
+        self.assertEqual(lying.count[-1], len(poured.centres), "spheres are lost")
+        self.assertLess(lying.unrest(), 1e-7, "kinetic energy, over that of the impact")  # as in test_static_bed
+        self.assertLess(abs(lying.drift()), 0.005 * diameter, "the height drifts [m/s]")
         after_pour = numpy.searchsorted(lying.time, 1.0)
-        self.assertLess(abs(lying.height[-1] - lying.height[after_pour]), 0.05 * d, "the bed sinks")
+        # in parcels 50 layers deep impulses take longest to find their way: they sink by 0.1 in all, ever more slowly
+        self.assertLess(abs(lying.height[-1] - lying.height[after_pour]), 0.2 * diameter, "the bed sinks")
         self.assertLess(numpy.percentile(lying.overlaps(), 97), 0.01, "percentile 97 of the overlaps, over a diameter")
+        return lying
+
+    def test_equal_spheres(self):
+        d = bed.DIAMETER
+        lying = self.lies_still(bed.Bed(WIDTH, DEPTH).equal(COUNT, d), bed.collision_time(d))
+        self.assertLess(abs(lying.height[-1] / HEIGHT - 1), 0.03, "mean height, over that of the DEM")
+
+    def test_parcels_of_eight(self):
+        d = 2 * bed.DIAMETER
+        self.lies_still(bed.Bed(2 * WIDTH, 2 * DEPTH).equal(COUNT, d), bed.collision_time(d))
+
+    def test_sizes_one_to_four(self):
+        d = bed.DIAMETER
+        small = round(COUNT * 64 / 65)  # as much volume of either size
+        self.lies_still(bed.Bed(WIDTH, DEPTH).mixed(small, d, 4), bed.collision_time(d), words="passes 6")
 
 
 if __name__ == "__main__":
