@@ -2,6 +2,7 @@
 #include "step/coupling_step.hpp"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 
 #include "base/text.hpp"
@@ -12,7 +13,8 @@ namespace interphase {
 
 namespace {
 
-/// What a particle brings to its gas cell. One-way scenes send the first eight entries only.
+/// What a particle brings to its gas cell. One-way scenes send the first eight entries only, those with solid stress
+/// the mass, too.
 enum VisitorEntry {
     position = 0,
     velocity = 3,
@@ -24,10 +26,11 @@ enum VisitorEntry {
     pending = 13,
     two_way_record = 16,
     one_way_record = 8,
+    one_way_record_with_stress = 9,
 };
 
-/// What it takes home: drag rate, gas velocity, pressure gradient.
-constexpr int homeward_record = 7;
+/// What it takes home: drag rate, gas velocity, pressure gradient, and what a StressExchange adds.
+constexpr std::size_t homeward_record = 7;
 
 Vector vector_at(const Scalars& flat, std::size_t start) { return {flat[start], flat[start + 1], flat[start + 2]}; }
 
@@ -56,11 +59,21 @@ CouplingStep::CouplingStep(const Communicator& comm, const Settings& settings, G
       mapping_(comm, gas.mesh(), settings.mapping,
                settings.kernel_width > 0 ? settings.kernel_width : 2 * largest_diameter, settings.maximum_packing),
       ledger_(comm),
+      stress_model_(solids.solid_stress()),
       voidage_(gas.mesh().size(), 1.0),
       solid_volume_(gas.mesh().size(), 0.0),
       exchange_rate_(gas.mesh().size(), 0.0),
       exchange_source_(3 * gas.mesh().size(), 0.0)
-{}
+{
+    if (stress_model_) stress_.emplace(comm_, gas_, mapping_, *stress_model_);
+}
+
+std::size_t CouplingStep::visitor_width() const
+{
+    return settings_.two_way ? two_way_record : stress_ ? one_way_record_with_stress : one_way_record;
+}
+
+std::size_t CouplingStep::homeward_width() const { return homeward_record + (stress_ ? StressExchange::width : 0); }
 
 void CouplingStep::advance(double dt, int substeps)
 {
@@ -68,6 +81,7 @@ void CouplingStep::advance(double dt, int substeps)
     if (particle_count_ < 0) inspect_start();
     bring_particles_to_their_cells();
     map_voidage();
+    map_solid_stress();
     map_drag(dt);
     solve_gas(dt);
     return_gas_to_particles(dt);
@@ -101,7 +115,7 @@ void CouplingStep::bring_particles_to_their_cells()
     visits_.plan(homes_);
 
     const double per_real = 1.0 / std::cbrt(settings_.weight);
-    const std::size_t width = settings_.two_way ? two_way_record : one_way_record;
+    const std::size_t width = visitor_width();
     records_.resize(visits_.order().size() * width);
     std::size_t r = 0;
     for (const std::size_t i : visits_.order()) {
@@ -110,6 +124,7 @@ void CouplingStep::bring_particles_to_their_cells()
         put(&records_[r + velocity], particles.velocity.col(column));
         records_[r + diameter] = 2 * particles.radius[column] * per_real;
         records_[r + volume] = sphere_volume(particles.radius[column]);
+        if (stress_) records_[r + mass] = particles.mass[column];
         if (settings_.two_way) pack_for_two_way(particles, i, &records_[r]);
         r += width;
     }
@@ -148,7 +163,7 @@ void CouplingStep::refuse_particles_outside(const ParticleView& particles) const
 void CouplingStep::map_voidage()
 {
     stopwatch_.switch_to(Phase::mapping);
-    const std::size_t width = settings_.two_way ? two_way_record : one_way_record;
+    const std::size_t width = visitor_width();
     positions_.resize(3 * visits_.visitors());
     volumes_.resize(visits_.visitors());
     for (std::size_t i = 0; i < visits_.visitors(); ++i) {
@@ -158,10 +173,11 @@ void CouplingStep::map_voidage()
     mapping_.place(positions_, visits_.cells());
     for (const CellAddress& home : homes_)
         outside_ += !home.known();
-    if (!settings_.two_way) return;
+    if (!needs_solid_volume()) return;
 
     solid_volume_ = mapping_.solid_volume(volumes_);
     relieved_ += mapping_.cells_relieved();
+    if (!settings_.two_way) return;  // the gas does not feel the particles
     for (std::size_t c = 0; c < voidage_.size(); ++c)
         voidage_[c] = 1.0 - solid_volume_[c] / gas_.mesh().volume[c];
 
@@ -170,9 +186,22 @@ void CouplingStep::map_voidage()
     transactions_.solid_volume_of_particles = sum(volumes_);
 }
 
+void CouplingStep::map_solid_stress()
+{
+    if (!stress_) return;
+    const std::size_t width = visitor_width();
+    Scalars momenta(4 * visits_.visitors());
+    for (std::size_t i = 0; i < visits_.visitors(); ++i) {
+        const double m = visitors_[i * width + mass];
+        put(&momenta[4 * i], m * vector_at(visitors_, i * width + velocity));
+        momenta[4 * i + 3] = m;
+    }
+    stress_->compute(solid_volume_, momenta);
+}
+
 void CouplingStep::map_drag(double dt)
 {
-    const std::size_t width = settings_.two_way ? two_way_record : one_way_record;
+    const std::size_t width = visitor_width();
     const Scalars gas_velocity = gas_.velocity();
     Scalars seen_by_cells(4 * voidage_.size());
     for (std::size_t c = 0; c < voidage_.size(); ++c) {
@@ -238,14 +267,17 @@ void CouplingStep::return_gas_to_particles(double dt)
         std::copy_n(&gradient[3 * c], 3, &seen_by_cells[6 * c + 3]);
     }
     mapping_.to_particles(seen_by_cells, 6, seen_);
-    answers_.resize(homeward_record * visits_.visitors());
+    const std::size_t width = homeward_width();
+    answers_.resize(width * visits_.visitors());
     for (std::size_t i = 0; i < visits_.visitors(); ++i) {
-        answers_[homeward_record * i] = drag_rates_[i];
-        std::copy_n(&seen_[6 * i], 6, &answers_[homeward_record * i + 1]);
+        double* answer = &answers_[width * i];
+        answer[0] = drag_rates_[i];
+        std::copy_n(&seen_[6 * i], 6, answer + 1);
+        if (stress_) stress_->write_answer(i, visits_.cells()[i], answer + homeward_record);
     }
 
     stopwatch_.switch_to(Phase::exchange);
-    visits_.take_back(answers_, homeward_record, fluid_);
+    visits_.take_back(answers_, static_cast<int>(width), fluid_);
     const ParticleView particles = solids_.particles();
     assumed_at_start_.setZero();
     for (std::size_t i = 0; i < particles.size(); ++i)
@@ -271,8 +303,24 @@ void CouplingStep::return_gas_to_particles(double dt)
         set(own.start_velocity, v);
         set(own.free_change, free_change(m, fluid_[f], u - v, solids_.gravity() + pressure_force / m, dt));
         assumed_at_start_ += assumed;
-        f += homeward_record;
+        f += width;
     }
+    if (stress_) begin_solid_stress(particles, dt);
+}
+
+void CouplingStep::begin_solid_stress(const ParticleView& particles, double dt)
+{
+    StressState* states = stress_model_->states();
+    std::fill_n(states, particles.size(), StressState{});  // what is in no gas cell feels no stress
+    const double* answer = fluid_.data();
+    for (const std::size_t i : visits_.order()) {
+        const double mass = particles.mass[static_cast<Eigen::Index>(i)], drag_rate = answer[0];
+        states[i] = StressExchange::state_of(answer + homeward_record, drag_rate > 0 ? mass / drag_rate : DBL_MAX);
+        answer += homeward_width();
+    }
+    const StepTooLong found = stress_model_->begin(dt);
+    too_long_.crossing_cells += found.crossing_cells;
+    too_long_.beyond_relaxation += found.beyond_relaxation;
 }
 
 void CouplingStep::leave_without_gas(const ParticleView& particles, std::size_t i)
@@ -361,7 +409,11 @@ std::optional<std::string> CouplingStep::trouble(const ParticleView& particles) 
 
 Interventions CouplingStep::interventions() const
 {
-    return {comm_.sum(relieved_), comm_.sum(outside_), comm_.sum(beyond_range_)};
+    return {comm_.sum(relieved_),
+            comm_.sum(outside_),
+            comm_.sum(beyond_range_),
+            comm_.sum(stress_ ? stress_->cells_overpacked() : 0L),
+            {comm_.sum(too_long_.crossing_cells), comm_.sum(too_long_.beyond_relaxation)}};
 }
 
 std::size_t CouplingStep::doubles_sent() const

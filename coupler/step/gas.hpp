@@ -29,6 +29,9 @@ public:
     virtual Scalars velocity() const = 0;           ///< [n x 3, m/s]
     virtual Scalars pressure_gradient() const = 0;  ///< of the full pressure [n x 3, Pa/m]
 
+    /// Gradient of any quantity of the cells [n, q], without slope at the boundaries [n x 3, q/m]. Collective.
+    virtual Scalars gradient(const Scalars& of_cells) const = 0;
+
     /// What is wrong with the fields of this rank, if anything (a value that is not finite: field, cell, place).
     virtual std::optional<std::string> trouble() const = 0;
 };

@@ -35,6 +35,15 @@ Scalars BoxGas::pressure_gradient() const
     return flat;
 }
 
+Scalars BoxGas::gradient(const Scalars& of_cells) const
+{
+    Scalars all(mesh_.global_count(), 0.0);
+    for (std::size_t c = 0; c < of_cells.size(); ++c)
+        all[mesh_.global_number(c)] = of_cells[c];
+    comm_.sum(all);
+    return mesh_.gradient(all);
+}
+
 void BoxGas::set_velocity(const Vector& u)
 {
     for (std::size_t c = 0; c < voidage_.size(); ++c)

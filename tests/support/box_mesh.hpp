@@ -35,6 +35,10 @@ public:
 
     Box whole() const;
 
+    /// In this rank's cells [n x 3], of values [global_count] that are linear between the centres and have no slope at
+    /// the sides of the box.
+    Scalars gradient(const Scalars& of_all_cells) const;
+
 private:
     using Index = std::array<int, 3>;
 

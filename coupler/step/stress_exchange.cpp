@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/stress_exchange.hpp"
+
+#include <algorithm>
+
+#include "base/text.hpp"
+
+namespace interphase {
+
+namespace {
+
+/// Of a cell, and of a visitor.
+enum Entry { gradient = 0, fraction = 3, mean_velocity = 4, entries = 7 };
+
+}  // namespace
+
+void StressExchange::compute(const Scalars& solid_volume, const Scalars& momenta)
+{
+    look_for_overpacked_cells(solid_volume);
+    const MeshView& mesh = gas_.mesh();
+    Scalars stress(mesh.size());
+    for (std::size_t c = 0; c < mesh.size(); ++c)
+        stress[c] = model_.stress(solid_volume[c] / mesh.volume[c]);
+    const Scalars stress_gradient = gas_.gradient(stress);
+    const Scalars of_solids = mapping_.to_cells(momenta, 4);
+
+    Scalars cells(entries * mesh.size());
+    for (std::size_t c = 0; c < mesh.size(); ++c) {
+        double* cell = &cells[entries * c];
+        std::copy_n(&stress_gradient[3 * c], 3, cell + gradient);
+        cell[fraction] = solid_volume[c] / mesh.volume[c];
+        const double* momentum = &of_solids[4 * c];
+        for (int axis = 0; axis < 3; ++axis)  // no particle sees a cell without mass
+            cell[mean_velocity + axis] = momentum[3] > 0 ? momentum[axis] / momentum[3] : 0.0;
+    }
+    mapping_.to_particles(cells, entries, at_visitors_);
+}
+
+void StressExchange::look_for_overpacked_cells(const Scalars& solid_volume)
+{
+    constexpr double slack = 1 + 1e-9;
+    const MeshView& mesh = gas_.mesh();
+    std::size_t fullest = 0;
+    double highest = 0;
+    long beyond = 0;
+    for (std::size_t c = 0; c < mesh.size(); ++c) {
+        const double phi = solid_volume[c] / mesh.volume[c];
+        beyond += phi > model_.close_packing() * slack;
+        if (phi > highest) {
+            highest = phi;
+            fullest = c;
+        }
+    }
+    cells_overpacked_ += beyond;
+    if (started_) return;
+    started_ = true;
+    std::optional<std::string> problem;
+    if (beyond > 0 && model_.refuses_overfilled_start())
+        problem = "the particles fill " + std::to_string(beyond) + " gas cells (rank " + std::to_string(comm_.rank()) +
+                  ") beyond close packing at the start: a solid fraction of " + text(highest) + ", where " +
+                  text(model_.close_packing()) + " is the limit\n  where:  in the cell at " +
+                  text(mesh.centre[fullest]) +
+                  "\n  remedy: start from a looser packing, make the parcels lighter (weight) or the cells larger, or "
+                  "give the fix `overfilled count` to let the stress spread them";
+    comm_.fail_together(problem);
+}
+
+void StressExchange::write_answer(std::size_t i, int cell, double* answer) const
+{
+    std::copy_n(&at_visitors_[entries * i], static_cast<int>(entries), answer);
+    std::copy_n(gas_.mesh().extent[static_cast<std::size_t>(cell)].data(), 3, answer + entries);
+}
+
+StressState StressExchange::state_of(const double* answer, double relaxation_time)
+{
+    StressState state;
+    std::copy_n(answer + gradient, 3, state.gradient);
+    state.solid_fraction = answer[fraction];
+    std::copy_n(answer + mean_velocity, 3, state.mean_velocity);
+    std::copy_n(answer + entries, 3, state.cell_size);
+    state.relaxation_time = relaxation_time;
+    return state;
+}
+
+}  // namespace interphase
