@@ -321,6 +321,8 @@ void CouplingStep::begin_solid_stress(const ParticleView& particles, double dt)
     const StepTooLong found = stress_model_->begin(dt);
     too_long_.crossing_cells += found.crossing_cells;
     too_long_.beyond_relaxation += found.beyond_relaxation;
+    const char* complaint = stress_model_->complaint();
+    comm_.fail_together(complaint ? std::optional<std::string>(complaint) : std::nullopt);
 }
 
 void CouplingStep::leave_without_gas(const ParticleView& particles, std::size_t i)

@@ -32,6 +32,10 @@ public:
     /// Gradient of any quantity of the cells [n, q], without slope at the boundaries [n x 3, q/m]. Collective.
     virtual Scalars gradient(const Scalars& of_cells) const = 0;
 
+    /// Of a flow q of the cells [n x 3] that stops at every boundary: dq_x/dx, dq_y/dy, dq_z/dz, apart [n x 3, q/m].
+    /// Collective.
+    virtual Scalars stretching(const Scalars& flow) const = 0;
+
     /// What is wrong with the fields of this rank, if anything (a value that is not finite: field, cell, place).
     virtual std::optional<std::string> trouble() const = 0;
 };

@@ -10,8 +10,10 @@ struct StressState {
     double gradient[3] = {0, 0, 0};       ///< of the solid stress [Pa/m]
     double solid_fraction = 0;            ///< above 0 wherever there is a particle, its own volume included
     double mean_velocity[3] = {0, 0, 0};  ///< of the solids, weighted by mass [m/s]
-    double cell_size[3] = {0, 0, 0};      ///< of the gas cell that holds the centre [m]; 0: in no cell
-    double relaxation_time = 0;           ///< mass over drag rate, of the drag law at the actual slip [s]
+    double closing_speed[3] = {0, 0,
+                               0};    ///< at which the mean motion compresses the cell, by axis; 0: it does not [m/s]
+    double cell_size[3] = {0, 0, 0};  ///< of the gas cell that holds the centre [m]; 0: in no cell
+    double relaxation_time = 0;       ///< mass over drag rate, of the drag law at the actual slip [s]
 };
 
 /// Particles of a rank for which a gas step was too long (a warning each, not an error).
@@ -41,6 +43,10 @@ public:
 
     /// The states are written and hold for the coming gas step of `gas_step` seconds. Collective.
     virtual StepTooLong begin(double gas_step) = 0;
+
+    /// Why the run cannot take this gas step ("what\n  where:  ...\n  remedy: ..."), of this rank, or null. After
+    /// begin().
+    virtual const char* complaint() const = 0;
 };
 
 }  // namespace interphase

@@ -2,6 +2,7 @@
 #include "step/stress_exchange.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/text.hpp"
 
@@ -10,7 +11,7 @@ namespace interphase {
 namespace {
 
 /// Of a cell, and of a visitor.
-enum Entry { gradient = 0, fraction = 3, mean_velocity = 4, entries = 7 };
+enum Entry { gradient = 0, fraction = 3, mean_velocity = 4, closing_speed = 7, entries = 10 };
 
 }  // namespace
 
@@ -25,15 +26,39 @@ void StressExchange::compute(const Scalars& solid_volume, const Scalars& momenta
     const Scalars of_solids = mapping_.to_cells(momenta, 4);
 
     Scalars cells(entries * mesh.size());
+    Scalars fractions(mesh.size()), flow(3 * mesh.size());
     for (std::size_t c = 0; c < mesh.size(); ++c) {
         double* cell = &cells[entries * c];
         std::copy_n(&stress_gradient[3 * c], 3, cell + gradient);
-        cell[fraction] = solid_volume[c] / mesh.volume[c];
+        cell[fraction] = fractions[c] = solid_volume[c] / mesh.volume[c];
         const double* momentum = &of_solids[4 * c];
-        for (int axis = 0; axis < 3; ++axis)  // no particle sees a cell without mass
+        for (std::size_t axis = 0; axis < 3; ++axis) {  // no particle sees a cell without mass
             cell[mean_velocity + axis] = momentum[3] > 0 ? momentum[axis] / momentum[3] : 0.0;
+            flow[3 * c + axis] = fractions[c] * cell[mean_velocity + axis];
+        }
     }
+    add_closing_speeds(fractions, flow, cells);
     mapping_.to_particles(cells, entries, at_visitors_);
+}
+
+void StressExchange::add_closing_speeds(const Scalars& fractions, const Scalars& flow, Scalars& cells) const
+{
+    // phi du/dx = d(phi u)/dx - u dphi/dx: so a cell without solids, whose velocity says nothing, takes no part, and a
+    // wall does, where the flow stops.
+    const MeshView& mesh = gas_.mesh();
+    const Scalars of_flow = gas_.stretching(flow), of_fraction = gas_.gradient(fractions);
+    for (std::size_t c = 0; c < mesh.size(); ++c) {
+        if (fractions[c] <= 0) continue;
+        double* cell = &cells[entries * c];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double extent = mesh.extent[c][static_cast<Eigen::Index>(axis)];
+            const double of_flow_here = of_flow[3 * c + axis], of_fraction_here = of_fraction[3 * c + axis];
+            // a few particles beside a pack are not thrown by it: the pack's share counts for no more than itself
+            const double share = fractions[c] + extent * std::abs(of_fraction_here);
+            const double stretching = (of_flow_here - cell[mean_velocity + axis] * of_fraction_here) / share;
+            cell[closing_speed + axis] = std::max(0.0, -stretching * extent);
+        }
+    }
 }
 
 void StressExchange::look_for_overpacked_cells(const Scalars& solid_volume)
@@ -77,6 +102,7 @@ StressState StressExchange::state_of(const double* answer, double relaxation_tim
     std::copy_n(answer + gradient, 3, state.gradient);
     state.solid_fraction = answer[fraction];
     std::copy_n(answer + mean_velocity, 3, state.mean_velocity);
+    std::copy_n(answer + closing_speed, 3, state.closing_speed);
     std::copy_n(answer + entries, 3, state.cell_size);
     state.relaxation_time = relaxation_time;
     return state;

@@ -17,7 +17,7 @@ namespace interphase {
 class StressExchange {
 public:
     /// Numbers that a particle takes home because of it.
-    static constexpr std::size_t width = 10;
+    static constexpr std::size_t width = 13;
 
     StressExchange(const Communicator& comm, Gas& gas, const Mapping& mapping, SolidStress& model)
         : comm_(comm), gas_(gas), mapping_(mapping), model_(model)
@@ -39,12 +39,13 @@ public:
 
 private:
     void look_for_overpacked_cells(const Scalars& solid_volume);
+    void add_closing_speeds(const Scalars& fractions, const Scalars& flow, Scalars& cells) const;
 
     Communicator comm_;
     Gas& gas_;
     const Mapping& mapping_;
     SolidStress& model_;
-    Scalars at_visitors_;  ///< gradient, solid fraction, mean velocity [n x 7]
+    Scalars at_visitors_;  ///< gradient, solid fraction, mean velocity, closing speed [n x 10]
     bool started_ = false;
     long cells_overpacked_ = 0;
 };

@@ -44,6 +44,8 @@ public:
         gas_step_ = gas_step;
         return {1, 2};
     }
+    const char* complaint() const override { return refuses_ ? "no step\n  remedy: none" : nullptr; }
+    void refuse() { refuses_ = true; }
     const StressState& operator[](std::size_t i) const { return states_[i]; }
     double gas_step() const { return gas_step_; }
 
@@ -51,6 +53,7 @@ private:
     double packing_;
     std::vector<StressState> states_;
     double gas_step_ = 0;
+    bool refuses_ = false;
 };
 
 test::BoxMesh::Planes planes()
@@ -168,6 +171,32 @@ TEST(SolidStress, IsNotSentWhereNoneAsks)
     if (world().size() == 1) return;  // nothing travels at all
     EXPECT_GT(world().sum(sent(&model, true)), world().sum(sent(nullptr, true)));
     EXPECT_GT(world().sum(sent(&model, false)), world().sum(sent(nullptr, false)));
+}
+
+TEST(SolidStress, AComplaintOfOneRankStopsAll)
+{
+    LinearStress model;
+    if (world().rank() == world().size() - 1) model.refuse();
+    Scene s(world(), planes(), 1.2, 1.8e-5, stack({1, 1}), gravity, solid_step, rules(), &model);
+    EXPECT_THROW(s.advance(1), UserError);
+}
+
+TEST(SolidStress, ClosingSpeedIsThatOfTheMeanMotionTowardsWhatLiesAhead)
+{
+    // a stack of four layers on the floor, all falling at 2 m/s: the lowest meets the floor, the others their like, and
+    // the highest has empty cells above, which say nothing
+    std::vector<Particle> all = stack({3, 3, 3, 3});
+    for (Particle& p : all)
+        p.velocity = Vector(0, 0, -2);
+    LinearStress model;
+    Scene s(world(), planes(), 1.2, 1.8e-5, all, gravity, solid_step, rules(), &model);
+    std::vector<int> layers;
+    for (std::size_t i = 0; i < s.particles.size(); ++i)
+        layers.push_back(static_cast<int>(s.particles.position(i).z() / cell));
+    s.advance(1);
+    for (std::size_t i = 0; i < layers.size(); ++i)
+        EXPECT_LT((to_vector(model[i].closing_speed) - Vector(0, 0, layers[i] == 0 ? 2 : 0)).norm(), 1e-12)
+            << layers[i];
 }
 
 TEST(SolidStress, AnOverfilledStartIsRefusedAndNamesTheCell)

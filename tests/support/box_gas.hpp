@@ -25,6 +25,7 @@ public:
     Scalars pressure_gradient() const override;
     /// Green-Gauss with values linear between the centres: OpenFOAM's `Gauss linear`.
     Scalars gradient(const Scalars& of_cells) const override;
+    Scalars stretching(const Scalars& flow) const override;
     std::optional<std::string> trouble() const override { return trouble_; }
 
     /// Everywhere [m/s].

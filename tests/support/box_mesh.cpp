@@ -133,7 +133,7 @@ Box BoxMesh::whole() const
     return box;
 }
 
-Scalars BoxMesh::gradient(const Scalars& of_all_cells) const
+Scalars BoxMesh::gradient(const Scalars& of_all_cells, std::optional<double> at_sides) const
 {
     Scalars gradient(3 * view_.size());
     for (std::size_t c = 0; c < view_.size(); ++c) {
@@ -143,13 +143,13 @@ Scalars BoxMesh::gradient(const Scalars& of_all_cells) const
             const Scalars& planes = planes_[at(axis)];
             const int layer = index[at(axis)];
             const auto thickness = [&](int n) { return planes[at(n + 1)] - planes[at(n)]; };
-            double face[2] = {own, own};
+            double face[2] = {at_sides.value_or(own), at_sides.value_or(own)};
             for (const int side : {0, 1}) {
                 const int next = layer + (side == 0 ? -1 : 1);
                 if (next < 0 || next >= layers(axis)) continue;
                 const double share = thickness(layer) / (thickness(layer) + thickness(next));
                 const auto there = static_cast<int>(global_number(c)) + (next - layer) * stride;
-                face[side] += share * (of_all_cells[at(there)] - own);
+                face[side] = own + share * (of_all_cells[at(there)] - own);
             }
             gradient[3 * c + at(axis)] = (face[1] - face[0]) / thickness(layer);
         }

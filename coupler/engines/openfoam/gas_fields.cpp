@@ -114,6 +114,27 @@ Scalars GasFields::gradient(const Scalars& of_cells) const
     return flat(fvc::grad(field)());
 }
 
+Scalars GasFields::stretching(const Scalars& flow) const
+{
+    wordList types(mesh_.boundary().size(), fixedValueFvPatchVectorField::typeName);
+    forAll(types, patch)
+    {
+        const fvPatch& side = mesh_.boundary()[patch];
+        if (fvPatch::constraintType(side.type())) types[patch] = side.type();
+    }
+    volVectorField field(
+        IOobject("flowOfSolids", mesh_.time().timeName(), mesh_, IOobject::NO_READ, IOobject::NO_WRITE, false), mesh_,
+        dimensionedVector("zero", dimless, Zero), types);
+    forAll(field, c) for (direction axis = 0; axis < 3; ++axis) field[c][axis] =
+        flow[3 * static_cast<std::size_t>(c) + axis];
+    field.correctBoundaryConditions();
+    const tmp<volTensorField> gradient = fvc::grad(field);
+    Scalars numbers(flow.size());
+    forAll(field, c) for (direction axis = 0; axis < 3; ++axis) numbers[3 * static_cast<std::size_t>(c) + axis] =
+        gradient()[c][4 * axis];  // the diagonal
+    return numbers;
+}
+
 std::optional<std::string> GasFields::trouble() const
 {
     forAll(U_, c)
