@@ -2,11 +2,8 @@
 #include "step/coupling_step.hpp"
 
 #include <algorithm>
-#include <cfloat>
 #include <cmath>
 
-#include "base/text.hpp"
-#include "base/user_error.hpp"
 #include "momentum/drag_response.hpp"
 
 namespace interphase {
@@ -89,14 +86,6 @@ void CouplingStep::advance(double dt, int substeps)
     book();
 }
 
-void CouplingStep::inspect_start()
-{
-    const ParticleView particles = solids_.particles();
-    particle_count_ = comm_.sum(static_cast<long>(particles.size()));
-    comm_.fail_together(
-        trouble(particles));  // before a value that is not finite spreads through the gas to other particles
-}
-
 void CouplingStep::bring_particles_to_their_cells()
 {
     stopwatch_.switch_to(Phase::exchange);
@@ -141,23 +130,6 @@ void CouplingStep::pack_for_two_way(const ParticleView& particles, std::size_t i
         held_by_contacts(particles.velocity.col(column) - to_vector(own.start_velocity), to_vector(own.free_change));
     put(record + acceleration, solids_.gravity() + to_vector(own.pressure_force) / m);
     put(record + pending, solid_step_ * particles.booked_force(i) - to_vector(own.assumed_impulse));
-}
-
-void CouplingStep::refuse_particles_outside(const ParticleView& particles) const
-{
-    std::optional<std::string> problem;
-    if (settings_.outside_mesh == OutsideMesh::stop)
-        for (std::size_t i = 0; i < homes_.size() && !problem; ++i) {
-            if (homes_[i].known()) continue;
-            const Vector x = particles.position.col(static_cast<Eigen::Index>(i));
-            problem =
-                "particle " + std::to_string(particles.id[i]) + " (rank " + std::to_string(comm_.rank()) +
-                ") is in no gas cell\n  where:  at " + text(x) +
-                "\n  remedy: keep the particles inside the mesh (walls in the LIGGGHTS script, initial positions, "
-                "solid "
-                "step), or set `outsideMesh ignore;` in system/couplingDict to let such particles move without gas";
-        }
-    comm_.fail_together(problem);
 }
 
 void CouplingStep::map_voidage()
@@ -310,19 +282,9 @@ void CouplingStep::return_gas_to_particles(double dt)
 
 void CouplingStep::begin_solid_stress(const ParticleView& particles, double dt)
 {
-    StressState* states = stress_model_->states();
-    std::fill_n(states, particles.size(), StressState{});  // what is in no gas cell feels no stress
-    const double* answer = fluid_.data();
-    for (const std::size_t i : visits_.order()) {
-        const double mass = particles.mass[static_cast<Eigen::Index>(i)], drag_rate = answer[0];
-        states[i] = StressExchange::state_of(answer + homeward_record, drag_rate > 0 ? mass / drag_rate : DBL_MAX);
-        answer += homeward_width();
-    }
-    const StepTooLong found = stress_model_->begin(dt);
+    const StepTooLong found = stress_->begin(fluid_, homeward_record, visits_.order(), particles.mass, dt);
     too_long_.crossing_cells += found.crossing_cells;
     too_long_.beyond_relaxation += found.beyond_relaxation;
-    const char* complaint = stress_model_->complaint();
-    comm_.fail_together(complaint ? std::optional<std::string>(complaint) : std::nullopt);
 }
 
 void CouplingStep::leave_without_gas(const ParticleView& particles, std::size_t i)
@@ -367,46 +329,6 @@ void CouplingStep::book()
         transactions_.pending += taken - assumed;
     }
     ledger_.book(transactions_, assumed_at_start_, fewer);
-}
-
-void CouplingStep::refuse_loss(const ParticleView& particles, long lost) const
-{
-    const std::string how_many =
-        std::to_string(lost) + " of " + std::to_string(particle_count_) +
-        " particles were lost in this gas step: LIGGGHTS found them outside its domain and dropped them";
-    const std::string remedy =
-        "check walls and boundaries in the script, and the solid step; a scene that removes particles "
-        "on purpose says so with a fix massflow/mesh ... delete_atoms";
-
-    // Which one: over all ranks, an array as long as the highest id. The run ends here, so that size does not matter.
-    const auto highest = std::max_element(ids_at_start_.begin(), ids_at_start_.end());
-    const double last_id = comm_.max(highest == ids_at_start_.end() ? 0.0 : *highest);
-    Scalars there(static_cast<std::size_t>(last_id) + 1, 0.0);
-    for (std::size_t i = 0; i < particles.size(); ++i)
-        if (particles.id[i] <= last_id) there[static_cast<std::size_t>(particles.id[i])] = 1;
-    comm_.sum(there);
-    std::optional<std::string> problem;
-    for (std::size_t i = 0; i < ids_at_start_.size() && !problem; ++i)
-        if (there[static_cast<std::size_t>(ids_at_start_[i])] == 0)
-            problem = how_many + "\n  where:  particle " + std::to_string(ids_at_start_[i]) + " (rank " +
-                      std::to_string(comm_.rank()) + ") is one of them; it started the step at " +
-                      text(vector_at(positions_at_start_, 3 * i)) + "\n  remedy: " + remedy;
-    comm_.fail_together(problem);
-    throw UserError(how_many, "among particles that the script had just inserted", remedy);
-}
-
-std::optional<std::string> CouplingStep::trouble(const ParticleView& particles) const
-{
-    if (std::isfinite(particles.position.sum() + particles.velocity.sum())) return gas_.trouble();
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-        const auto column = static_cast<Eigen::Index>(i);
-        if (particles.position.col(column).allFinite() && particles.velocity.col(column).allFinite()) continue;
-        return "the velocity or position of particle " + std::to_string(particles.id[i]) + " (rank " +
-               std::to_string(comm_.rank()) + ") is not finite: v = " + text(Vector(particles.velocity.col(column))) +
-               "\n  where:  at " + text(Vector(particles.position.col(column))) +
-               "\n  remedy: reduce the solid step (particles/stepsPerCollision), check overlaps at the start";
-    }
-    return gas_.trouble();
 }
 
 Interventions CouplingStep::interventions() const

@@ -2,6 +2,7 @@
 #include "step/stress_exchange.hpp"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 
 #include "base/text.hpp"
@@ -96,16 +97,28 @@ void StressExchange::write_answer(std::size_t i, int cell, double* answer) const
     std::copy_n(gas_.mesh().extent[static_cast<std::size_t>(cell)].data(), 3, answer + entries);
 }
 
-StressState StressExchange::state_of(const double* answer, double relaxation_time)
+StepTooLong StressExchange::begin(const Scalars& answers, std::size_t before, const std::vector<std::size_t>& order,
+                                  const ScalarsView& mass, double gas_step)
 {
-    StressState state;
-    std::copy_n(answer + gradient, 3, state.gradient);
-    state.solid_fraction = answer[fraction];
-    std::copy_n(answer + mean_velocity, 3, state.mean_velocity);
-    std::copy_n(answer + closing_speed, 3, state.closing_speed);
-    std::copy_n(answer + entries, 3, state.cell_size);
-    state.relaxation_time = relaxation_time;
-    return state;
+    StressState* states = model_.states();
+    std::fill_n(states, mass.size(), StressState{});  // what is in no gas cell feels no stress
+    const double* arrived = answers.data();
+    for (const std::size_t i : order) {
+        const double m = mass[static_cast<Eigen::Index>(i)], drag_rate = arrived[0];
+        const double* answer = arrived + before;
+        StressState& state = states[i];
+        std::copy_n(answer + gradient, 3, state.gradient);
+        state.solid_fraction = answer[fraction];
+        std::copy_n(answer + mean_velocity, 3, state.mean_velocity);
+        std::copy_n(answer + closing_speed, 3, state.closing_speed);
+        std::copy_n(answer + entries, 3, state.cell_size);
+        state.relaxation_time = drag_rate > 0 ? m / drag_rate : DBL_MAX;
+        arrived += before + width;
+    }
+    const StepTooLong found = model_.begin(gas_step);
+    const char* complaint = model_.complaint();
+    comm_.fail_together(complaint ? std::optional<std::string>(complaint) : std::nullopt);
+    return found;
 }
 
 }  // namespace interphase

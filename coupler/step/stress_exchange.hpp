@@ -31,8 +31,10 @@ public:
     /// Writes what visitor i, whose home is `cell`, takes home [width].
     void write_answer(std::size_t i, int cell, double* answer) const;
 
-    /// The same, arrived.
-    static StressState state_of(const double* answer, double relaxation_time);
+    /// Hands the answers, arrived in the order `order` of the rank's particles with `before` other numbers in front of
+    /// each (the drag rate first), to the model. Throws a UserError if it complains of the gas step. Collective.
+    StepTooLong begin(const Scalars& answers, std::size_t before, const std::vector<std::size_t>& order,
+                      const ScalarsView& mass, double gas_step);
 
     /// Cells of this rank beyond close packing, cell by cell and step by step.
     long cells_overpacked() const { return cells_overpacked_; }
