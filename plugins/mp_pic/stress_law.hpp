@@ -21,7 +21,7 @@ struct HarrisCrighton {
 /// Published range of HarrisCrighton::exponent.
 constexpr double exponent_min = 2, exponent_max = 5;
 
-/// Lun, Savage, Jeffrey and Chepurniy, J. Fluid Mech. 140 (1984) 223, eq. 3.9's collisional and kinetic pressure:
+/// Lun, Savage, Jeffrey and Chepurniy, J. Fluid Mech. 140 (1984) 223, the kinetic and collisional pressure:
 ///     tau = rho_p phi Theta (1 + 2 (1 + e) phi g0)
 /// with the radial distribution of Lun and Savage, Acta Mech. 63 (1986) 15, g0 = (1 - phi/phi_cp)^(-2.5 phi_cp), which
 /// is kept finite beyond close packing: 1 - phi/phi_cp is at least alpha = 1e-7. Theta is given: no equation is solved
