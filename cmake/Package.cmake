@@ -2,9 +2,10 @@
 # What find_package(interphase) finds, in an installation and in this build folder.
 include(CMakePackageConfigHelpers)
 
-# <interphase/plugin.hpp>
+# <interphase/plugin.hpp>, which includes "step/solid_stress.hpp"
 set(_headers "${PROJECT_BINARY_DIR}/include")
 configure_file("${PROJECT_SOURCE_DIR}/coupler/engines/liggghts/plugin.hpp" "${_headers}/interphase/plugin.hpp" COPYONLY)
+configure_file("${PROJECT_SOURCE_DIR}/coupler/step/solid_stress.hpp" "${_headers}/interphase/step/solid_stress.hpp" COPYONLY)
 add_library(interphase_plugin INTERFACE)
 add_library(interphase::plugin ALIAS interphase_plugin)
 set_target_properties(interphase_plugin PROPERTIES EXPORT_NAME plugin)
@@ -14,6 +15,7 @@ target_include_directories(interphase_plugin INTERFACE
 target_link_libraries(interphase_plugin INTERFACE LIGGGHTS::liggghts)
 
 install(FILES "${_headers}/interphase/plugin.hpp" DESTINATION include/interphase)
+install(FILES "${_headers}/interphase/step/solid_stress.hpp" DESTINATION include/interphase/step)
 install(TARGETS interphase_plugin interphase interphase-liggghts EXPORT interphaseTargets RUNTIME DESTINATION bin)
 
 set(_package_files

@@ -112,6 +112,8 @@ void CoupledRun::check_given_step() const
 
 double CoupledRun::longest_solid_step() const
 {
+    // eq. 28 of the paper: no longer than a gas step; what else it asks for is counted in every step
+    if (settings_.method == Method::mp_pic) return case_.gas_step();
     if (settings_.largest_overlap > 0)
         return settings_.largest_overlap * solids_->smallest_diameter() / settings_.impact_speed;
     if (const std::optional<double> contact = solids_->contact_duration())
@@ -231,12 +233,18 @@ void CoupledRun::step()
     stopwatch_.switch_to(Phase::output);
     if (coupling_ && settings_.two_way) {
         const Interventions counts = coupling_->interventions();
-        results_->add_row("/ledger", {{"time", "s", case_.time()},
-                                      {"momentum_residual", "1", coupling_->ledger().momentum_residual()},
-                                      {"volume_residual", "1", coupling_->ledger().volume_residual()},
-                                      {"cells_relieved", "1", static_cast<double>(counts.cells_relieved)},
-                                      {"particles_outside_mesh", "1", static_cast<double>(counts.outside_mesh)},
-                                      {"beyond_drag_range", "1", static_cast<double>(counts.beyond_drag_range)}});
+        std::vector<Results::Entry> row{{"time", "s", case_.time()},
+                                        {"momentum_residual", "1", coupling_->ledger().momentum_residual()},
+                                        {"volume_residual", "1", coupling_->ledger().volume_residual()},
+                                        {"cells_relieved", "1", static_cast<double>(counts.cells_relieved)},
+                                        {"particles_outside_mesh", "1", static_cast<double>(counts.outside_mesh)},
+                                        {"beyond_drag_range", "1", static_cast<double>(counts.beyond_drag_range)}};
+        if (coupling_->has_solid_stress())
+            row.insert(row.end(),
+                       {{"cells_beyond_close_packing", "1", static_cast<double>(counts.cells_overpacked)},
+                        {"step_crosses_cells", "1", static_cast<double>(counts.step_too_long.crossing_cells)},
+                        {"step_beyond_relaxation", "1", static_cast<double>(counts.step_too_long.beyond_relaxation)}});
+        results_->add_row("/ledger", row);
     }
     record(false);
 }
@@ -282,6 +290,7 @@ void CoupledRun::finish()
         account.momentum_residual = coupling_->ledger().momentum_residual();
         account.volume_residual = coupling_->ledger().volume_residual();
         account.interventions = coupling_->interventions();
+        account.has_solid_stress = coupling_->has_solid_stress();
         const auto sent = static_cast<double>(coupling_->doubles_sent());
         results_->describe("/exchange", "bytes_sent_by_busiest_rank", 8 * comm_.max(sent));
         results_->describe("/exchange", "bytes_sent", 8 * comm_.sum(sent));

@@ -73,6 +73,12 @@ void Report::summary(const Account& account) const
     std::printf("    cells relieved at the packing limit    %ld\n", account.interventions.cells_relieved);
     std::printf("    particles without a gas cell           %ld\n", account.interventions.outside_mesh);
     std::printf("    particles beyond the drag law's range  %ld\n", account.interventions.beyond_drag_range);
+    if (account.has_solid_stress) {
+        const StepTooLong& too_long = account.interventions.step_too_long;
+        std::printf("    cells beyond close packing             %ld\n", account.interventions.cells_overpacked);
+        std::printf("    steps too long for a particle's cell   %ld\n", too_long.crossing_cells);
+        std::printf("    steps beyond a relaxation time         %ld\n", too_long.beyond_relaxation);
+    }
     std::fflush(stdout);
 }
 

@@ -28,6 +28,7 @@ public:
         bool two_way;
         double momentum_residual, volume_residual;
         Interventions interventions;
+        bool has_solid_stress = false;
     };
     void summary(const Account& account) const;
 

@@ -14,6 +14,8 @@ std::string name_of(Method method)
             return "TDHS";
         case Method::cghs:
             return "CGHS";
+        case Method::mp_pic:
+            return "MPPIC";
         case Method::plugin:
             return "PLUGIN";
     }

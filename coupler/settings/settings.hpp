@@ -9,9 +9,9 @@
 
 namespace interphase {
 
-/// Who handles collisions: LIGGGHTS's pair styles (dem, cgpm), hard spheres of a plug-in (tdhs, cghs), or whatever a
-/// user's own plug-in does (plugin).
-enum class Method { dem, cgpm, tdhs, cghs, plugin };
+/// Who handles collisions: LIGGGHTS's pair styles (dem, cgpm), hard spheres of a plug-in (tdhs, cghs), a plug-in's
+/// stress of the solids on the gas mesh (mp_pic), or whatever a user's own plug-in does (plugin).
+enum class Method { dem, cgpm, tdhs, cghs, mp_pic, plugin };
 enum class GasModel { pimple, frozen, none };
 enum class MappingType { kernel, cell_centre };
 enum class OutsideMesh { stop, ignore };

@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/text.hpp"
-#include "base/user_error.hpp"
 #include "momentum/drag_response.hpp"
 
 namespace interphase {
 
 namespace {
 
-/// What a particle brings to its gas cell. One-way scenes send the first eight entries only.
+/// What a particle brings to its gas cell. One-way scenes send the first eight entries only, those with solid stress
+/// the mass, too.
 enum VisitorEntry {
     position = 0,
     velocity = 3,
@@ -24,10 +23,11 @@ enum VisitorEntry {
     pending = 13,
     two_way_record = 16,
     one_way_record = 8,
+    one_way_record_with_stress = 9,
 };
 
-/// What it takes home: drag rate, gas velocity, pressure gradient.
-constexpr int homeward_record = 7;
+/// What it takes home: drag rate, gas velocity, pressure gradient, and what a StressExchange adds.
+constexpr std::size_t homeward_record = 7;
 
 Vector vector_at(const Scalars& flat, std::size_t start) { return {flat[start], flat[start + 1], flat[start + 2]}; }
 
@@ -56,11 +56,21 @@ CouplingStep::CouplingStep(const Communicator& comm, const Settings& settings, G
       mapping_(comm, gas.mesh(), settings.mapping,
                settings.kernel_width > 0 ? settings.kernel_width : 2 * largest_diameter, settings.maximum_packing),
       ledger_(comm),
+      stress_model_(solids.solid_stress()),
       voidage_(gas.mesh().size(), 1.0),
       solid_volume_(gas.mesh().size(), 0.0),
       exchange_rate_(gas.mesh().size(), 0.0),
       exchange_source_(3 * gas.mesh().size(), 0.0)
-{}
+{
+    if (stress_model_) stress_.emplace(comm_, gas_, mapping_, *stress_model_);
+}
+
+std::size_t CouplingStep::visitor_width() const
+{
+    return settings_.two_way ? two_way_record : stress_ ? one_way_record_with_stress : one_way_record;
+}
+
+std::size_t CouplingStep::homeward_width() const { return homeward_record + (stress_ ? StressExchange::width : 0); }
 
 void CouplingStep::advance(double dt, int substeps)
 {
@@ -68,19 +78,12 @@ void CouplingStep::advance(double dt, int substeps)
     if (particle_count_ < 0) inspect_start();
     bring_particles_to_their_cells();
     map_voidage();
+    map_solid_stress();
     map_drag(dt);
     solve_gas(dt);
     return_gas_to_particles(dt);
     move_particles(substeps);
     book();
-}
-
-void CouplingStep::inspect_start()
-{
-    const ParticleView particles = solids_.particles();
-    particle_count_ = comm_.sum(static_cast<long>(particles.size()));
-    comm_.fail_together(
-        trouble(particles));  // before a value that is not finite spreads through the gas to other particles
 }
 
 void CouplingStep::bring_particles_to_their_cells()
@@ -101,7 +104,7 @@ void CouplingStep::bring_particles_to_their_cells()
     visits_.plan(homes_);
 
     const double per_real = 1.0 / std::cbrt(settings_.weight);
-    const std::size_t width = settings_.two_way ? two_way_record : one_way_record;
+    const std::size_t width = visitor_width();
     records_.resize(visits_.order().size() * width);
     std::size_t r = 0;
     for (const std::size_t i : visits_.order()) {
@@ -110,6 +113,7 @@ void CouplingStep::bring_particles_to_their_cells()
         put(&records_[r + velocity], particles.velocity.col(column));
         records_[r + diameter] = 2 * particles.radius[column] * per_real;
         records_[r + volume] = sphere_volume(particles.radius[column]);
+        if (stress_) records_[r + mass] = particles.mass[column];
         if (settings_.two_way) pack_for_two_way(particles, i, &records_[r]);
         r += width;
     }
@@ -128,27 +132,10 @@ void CouplingStep::pack_for_two_way(const ParticleView& particles, std::size_t i
     put(record + pending, solid_step_ * particles.booked_force(i) - to_vector(own.assumed_impulse));
 }
 
-void CouplingStep::refuse_particles_outside(const ParticleView& particles) const
-{
-    std::optional<std::string> problem;
-    if (settings_.outside_mesh == OutsideMesh::stop)
-        for (std::size_t i = 0; i < homes_.size() && !problem; ++i) {
-            if (homes_[i].known()) continue;
-            const Vector x = particles.position.col(static_cast<Eigen::Index>(i));
-            problem =
-                "particle " + std::to_string(particles.id[i]) + " (rank " + std::to_string(comm_.rank()) +
-                ") is in no gas cell\n  where:  at " + text(x) +
-                "\n  remedy: keep the particles inside the mesh (walls in the LIGGGHTS script, initial positions, "
-                "solid "
-                "step), or set `outsideMesh ignore;` in system/couplingDict to let such particles move without gas";
-        }
-    comm_.fail_together(problem);
-}
-
 void CouplingStep::map_voidage()
 {
     stopwatch_.switch_to(Phase::mapping);
-    const std::size_t width = settings_.two_way ? two_way_record : one_way_record;
+    const std::size_t width = visitor_width();
     positions_.resize(3 * visits_.visitors());
     volumes_.resize(visits_.visitors());
     for (std::size_t i = 0; i < visits_.visitors(); ++i) {
@@ -158,10 +145,11 @@ void CouplingStep::map_voidage()
     mapping_.place(positions_, visits_.cells());
     for (const CellAddress& home : homes_)
         outside_ += !home.known();
-    if (!settings_.two_way) return;
+    if (!needs_solid_volume()) return;
 
     solid_volume_ = mapping_.solid_volume(volumes_);
     relieved_ += mapping_.cells_relieved();
+    if (!settings_.two_way) return;  // the gas does not feel the particles
     for (std::size_t c = 0; c < voidage_.size(); ++c)
         voidage_[c] = 1.0 - solid_volume_[c] / gas_.mesh().volume[c];
 
@@ -170,9 +158,22 @@ void CouplingStep::map_voidage()
     transactions_.solid_volume_of_particles = sum(volumes_);
 }
 
+void CouplingStep::map_solid_stress()
+{
+    if (!stress_) return;
+    const std::size_t width = visitor_width();
+    Scalars momenta(4 * visits_.visitors());
+    for (std::size_t i = 0; i < visits_.visitors(); ++i) {
+        const double m = visitors_[i * width + mass];
+        put(&momenta[4 * i], m * vector_at(visitors_, i * width + velocity));
+        momenta[4 * i + 3] = m;
+    }
+    stress_->compute(solid_volume_, momenta);
+}
+
 void CouplingStep::map_drag(double dt)
 {
-    const std::size_t width = settings_.two_way ? two_way_record : one_way_record;
+    const std::size_t width = visitor_width();
     const Scalars gas_velocity = gas_.velocity();
     Scalars seen_by_cells(4 * voidage_.size());
     for (std::size_t c = 0; c < voidage_.size(); ++c) {
@@ -238,14 +239,17 @@ void CouplingStep::return_gas_to_particles(double dt)
         std::copy_n(&gradient[3 * c], 3, &seen_by_cells[6 * c + 3]);
     }
     mapping_.to_particles(seen_by_cells, 6, seen_);
-    answers_.resize(homeward_record * visits_.visitors());
+    const std::size_t width = homeward_width();
+    answers_.resize(width * visits_.visitors());
     for (std::size_t i = 0; i < visits_.visitors(); ++i) {
-        answers_[homeward_record * i] = drag_rates_[i];
-        std::copy_n(&seen_[6 * i], 6, &answers_[homeward_record * i + 1]);
+        double* answer = &answers_[width * i];
+        answer[0] = drag_rates_[i];
+        std::copy_n(&seen_[6 * i], 6, answer + 1);
+        if (stress_) stress_->write_answer(i, visits_.cells()[i], answer + homeward_record);
     }
 
     stopwatch_.switch_to(Phase::exchange);
-    visits_.take_back(answers_, homeward_record, fluid_);
+    visits_.take_back(answers_, static_cast<int>(width), fluid_);
     const ParticleView particles = solids_.particles();
     assumed_at_start_.setZero();
     for (std::size_t i = 0; i < particles.size(); ++i)
@@ -271,8 +275,16 @@ void CouplingStep::return_gas_to_particles(double dt)
         set(own.start_velocity, v);
         set(own.free_change, free_change(m, fluid_[f], u - v, solids_.gravity() + pressure_force / m, dt));
         assumed_at_start_ += assumed;
-        f += homeward_record;
+        f += width;
     }
+    if (stress_) begin_solid_stress(particles, dt);
+}
+
+void CouplingStep::begin_solid_stress(const ParticleView& particles, double dt)
+{
+    const StepTooLong found = stress_->begin(fluid_, homeward_record, visits_.order(), particles.mass, dt);
+    too_long_.crossing_cells += found.crossing_cells;
+    too_long_.beyond_relaxation += found.beyond_relaxation;
 }
 
 void CouplingStep::leave_without_gas(const ParticleView& particles, std::size_t i)
@@ -319,49 +331,13 @@ void CouplingStep::book()
     ledger_.book(transactions_, assumed_at_start_, fewer);
 }
 
-void CouplingStep::refuse_loss(const ParticleView& particles, long lost) const
-{
-    const std::string how_many =
-        std::to_string(lost) + " of " + std::to_string(particle_count_) +
-        " particles were lost in this gas step: LIGGGHTS found them outside its domain and dropped them";
-    const std::string remedy =
-        "check walls and boundaries in the script, and the solid step; a scene that removes particles "
-        "on purpose says so with a fix massflow/mesh ... delete_atoms";
-
-    // Which one: over all ranks, an array as long as the highest id. The run ends here, so that size does not matter.
-    const auto highest = std::max_element(ids_at_start_.begin(), ids_at_start_.end());
-    const double last_id = comm_.max(highest == ids_at_start_.end() ? 0.0 : *highest);
-    Scalars there(static_cast<std::size_t>(last_id) + 1, 0.0);
-    for (std::size_t i = 0; i < particles.size(); ++i)
-        if (particles.id[i] <= last_id) there[static_cast<std::size_t>(particles.id[i])] = 1;
-    comm_.sum(there);
-    std::optional<std::string> problem;
-    for (std::size_t i = 0; i < ids_at_start_.size() && !problem; ++i)
-        if (there[static_cast<std::size_t>(ids_at_start_[i])] == 0)
-            problem = how_many + "\n  where:  particle " + std::to_string(ids_at_start_[i]) + " (rank " +
-                      std::to_string(comm_.rank()) + ") is one of them; it started the step at " +
-                      text(vector_at(positions_at_start_, 3 * i)) + "\n  remedy: " + remedy;
-    comm_.fail_together(problem);
-    throw UserError(how_many, "among particles that the script had just inserted", remedy);
-}
-
-std::optional<std::string> CouplingStep::trouble(const ParticleView& particles) const
-{
-    if (std::isfinite(particles.position.sum() + particles.velocity.sum())) return gas_.trouble();
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-        const auto column = static_cast<Eigen::Index>(i);
-        if (particles.position.col(column).allFinite() && particles.velocity.col(column).allFinite()) continue;
-        return "the velocity or position of particle " + std::to_string(particles.id[i]) + " (rank " +
-               std::to_string(comm_.rank()) + ") is not finite: v = " + text(Vector(particles.velocity.col(column))) +
-               "\n  where:  at " + text(Vector(particles.position.col(column))) +
-               "\n  remedy: reduce the solid step (particles/stepsPerCollision), check overlaps at the start";
-    }
-    return gas_.trouble();
-}
-
 Interventions CouplingStep::interventions() const
 {
-    return {comm_.sum(relieved_), comm_.sum(outside_), comm_.sum(beyond_range_)};
+    return {comm_.sum(relieved_),
+            comm_.sum(outside_),
+            comm_.sum(beyond_range_),
+            comm_.sum(stress_ ? stress_->cells_overpacked() : 0L),
+            {comm_.sum(too_long_.crossing_cells), comm_.sum(too_long_.beyond_relaxation)}};
 }
 
 std::size_t CouplingStep::doubles_sent() const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "drag/drag_law.hpp"
@@ -12,6 +13,7 @@
 #include "settings/settings.hpp"
 #include "step/gas.hpp"
 #include "step/solids.hpp"
+#include "step/stress_exchange.hpp"
 
 namespace interphase {
 
@@ -20,6 +22,10 @@ struct Interventions {
     long cells_relieved = 0;     ///< cells above the packing limit, cell by cell and step by step
     long outside_mesh = 0;       ///< particles without a gas cell, particle by particle and step by step
     long beyond_drag_range = 0;  ///< particles outside the drag law's published range
+
+    // of a model with solid stress
+    long cells_overpacked = 0;  ///< cells beyond its close packing, cell by cell and step by step
+    StepTooLong step_too_long;  ///< particle by particle and step by step
 };
 
 /// One lockstep of gas and particles.
@@ -34,6 +40,7 @@ public:
 
     const Ledger& ledger() const { return ledger_; }
     const Scalars& voidage() const { return voidage_; }
+    bool has_solid_stress() const { return stress_.has_value(); }
 
     /// Collective.
     Interventions interventions() const;
@@ -45,6 +52,7 @@ private:
     void inspect_start();
     void bring_particles_to_their_cells();
     void map_voidage();
+    void map_solid_stress();
     void map_drag(double dt);
     void solve_gas(double dt);
     void return_gas_to_particles(double dt);
@@ -52,6 +60,10 @@ private:
     void move_particles(int substeps);
     void book();
 
+    bool needs_solid_volume() const { return settings_.two_way || stress_; }
+    std::size_t visitor_width() const;
+    std::size_t homeward_width() const;
+    void begin_solid_stress(const ParticleView& particles, double dt);
     void pack_for_two_way(const ParticleView& particles, std::size_t i, double* record) const;
     void refuse_particles_outside(const ParticleView& particles) const;
     void refuse_loss(const ParticleView& particles, long lost) const;
@@ -68,6 +80,8 @@ private:
     Visits visits_;
     Mapping mapping_;
     Ledger ledger_;
+    SolidStress* stress_model_;
+    std::optional<StressExchange> stress_;  ///< of a model that wants it
 
     std::vector<int> ids_at_start_;  ///< of the gas step, to name a particle that gets lost in it
     Scalars positions_at_start_;
@@ -89,6 +103,7 @@ private:
     long outside_ = 0;
     long relieved_ = 0;
     long beyond_range_ = 0;
+    StepTooLong too_long_;
     long particle_count_ = -1;
 };
 

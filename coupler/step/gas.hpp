@@ -29,6 +29,13 @@ public:
     virtual Scalars velocity() const = 0;           ///< [n x 3, m/s]
     virtual Scalars pressure_gradient() const = 0;  ///< of the full pressure [n x 3, Pa/m]
 
+    /// Gradient of any quantity of the cells [n, q], without slope at the boundaries [n x 3, q/m]. Collective.
+    virtual Scalars gradient(const Scalars& of_cells) const = 0;
+
+    /// Of a flow q of the cells [n x 3] that stops at every boundary: dq_x/dx, dq_y/dy, dq_z/dz, apart [n x 3, q/m].
+    /// Collective.
+    virtual Scalars stretching(const Scalars& flow) const = 0;
+
     /// What is wrong with the fields of this rank, if anything (a value that is not finite: field, cell, place).
     virtual std::optional<std::string> trouble() const = 0;
 };

@@ -4,6 +4,7 @@
 #include "base/vector.hpp"
 #include "momentum/fluid_force.hpp"
 #include "momentum/particle_coupling.hpp"
+#include "step/solid_stress.hpp"
 
 namespace interphase {
 
@@ -34,6 +35,9 @@ public:
 
     /// Whether the scene may remove particles on purpose (so that fewer are not a loss).
     virtual bool may_remove_particles() const = 0;
+
+    /// The model that wants a stress of the solids on the gas mesh, or null.
+    virtual SolidStress* solid_stress() { return nullptr; }
 
     /// Collective.
     virtual void advance(int substeps) = 0;

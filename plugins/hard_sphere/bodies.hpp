@@ -5,15 +5,12 @@
 #include <cstddef>
 #include <vector>
 
-#include "base/vector.hpp"
+#include "walls/place.hpp"
 
 namespace interphase::hard_sphere {
 
-template <class Number>
-Vector vector(const Number (&v)[3])
-{
-    return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-}
+using walls::Place;
+using walls::vector;
 
 /// Three numbers; std::copy_n would call memmove for them.
 inline void copy_three(const double* from, double* to)
@@ -29,11 +26,6 @@ struct alignas(64) Body {
     double inverse_mass = 0;         ///< [1/kg]
     double spin[3] = {0, 0, 0};      ///< angular velocity [rad/s]
     double inverse_inertia = 0;      ///< 1/I, I = m d^2/10 [1/(kg m2)]
-};
-
-struct alignas(32) Place {
-    double centre[3] = {0, 0, 0};  ///< [m]
-    double radius = 0;             ///< [m]
 };
 
 /// How a sphere moves within the step if it meets nothing, one cache line.

@@ -13,7 +13,7 @@
 #include "hard_sphere/cost.hpp"
 #include "hard_sphere/effort.hpp"
 #include "hard_sphere/pair_search.hpp"
-#include "hard_sphere/wall.hpp"
+#include "walls/wall.hpp"
 
 namespace interphase::hard_sphere {
 
@@ -109,7 +109,7 @@ private:
     double deepest_ = 0;  ///< overlap so far, of the smallest diameter
 
     Materials materials_;
-    std::vector<std::unique_ptr<Wall>> walls_;
+    std::vector<std::unique_ptr<walls::Wall>> walls_;
     StepLimits limits_{};
     double reach_ = 0;  ///< gap up to which pairs are looked for [m]
     double smallest_radius_ = 0, largest_radius_ = 0;

@@ -2,10 +2,34 @@
 #include "hard_sphere/wall_contacts.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace interphase::hard_sphere {
 
 namespace {
+
+using walls::PlaneWall;
+using walls::Wall;
+using walls::WallPoint;
+
+/// Adds those of the bodies that may touch the wall: planes are many a scene's only walls, and quick about the others.
+void choose(const Wall& wall, const Bodies& bodies, double reach, std::vector<int>& chosen)
+{
+    const int n = static_cast<int>(bodies.size());
+    const auto* plane = dynamic_cast<const PlaneWall*>(&wall);
+    if (!plane) {
+        for (int i = 0; i < n; ++i)
+            if (wall.may_touch(bodies.path[static_cast<std::size_t>(i)].place, reach)) chosen.push_back(i);
+        return;
+    }
+    const Coarse& coarse = bodies.coarse;
+    const auto axis = static_cast<std::size_t>(plane->axis());
+    const float *centre = coarse.centre[axis].data(), *radius = coarse.radius.data();
+    const auto at = static_cast<float>(plane->position() - coarse.middle[axis]),
+               gap = static_cast<float>(reach + coarse.rounding);
+    for (int i = 0; i < n; ++i)
+        if (std::abs(centre[i] - at) < radius[i] + gap) chosen.push_back(i);
+}
 
 /// Of a wall that is not flat, or ends, the normal where the sphere touches is not the one where it comes from: moves
 /// time and normal of `contact` to where it touches (Newton's iteration on the gap).
@@ -33,8 +57,8 @@ void follow_to_touch(Contact& contact, const Wall& wall, const Place& from, cons
 
 }  // namespace
 
-void find_wall_contacts(Bodies& bodies, const std::vector<std::unique_ptr<Wall>>& walls, const Materials& materials,
-                        const StepLimits& limits, std::vector<Contact>& found)
+void find_wall_contacts(Bodies& bodies, const std::vector<std::unique_ptr<walls::Wall>>& walls,
+                        const Materials& materials, const StepLimits& limits, std::vector<Contact>& found)
 {
     found.clear();
     std::vector<WallPoint> points;
@@ -42,7 +66,7 @@ void find_wall_contacts(Bodies& bodies, const std::vector<std::unique_ptr<Wall>>
     for (std::size_t w = 0; w < walls.size(); ++w) {
         const Wall& wall = *walls[w];
         chosen.clear();
-        wall.choose(bodies, limits.margin + limits.farthest, chosen);
+        choose(wall, bodies, limits.margin + limits.farthest, chosen);
         for (const int body : chosen) {
             const auto i = static_cast<std::size_t>(body);
             if (bodies.label[i].ghost || bodies.label[i].fixed) continue;

@@ -186,7 +186,7 @@ class Loading(PluginTest):
 
 class Misfits(PluginTest):
     def test_another_interface(self):
-        self.everywhere_refused(["other_interface"], r"libother_interface\.so is built for version 4711", "this program has version 1",
+        self.everywhere_refused(["other_interface"], r"libother_interface\.so is built for version 4711", "this program has version 2",
                                 "build the plug-in anew")  # fmt: skip
 
     def test_another_liggghts_compiler_and_mpi(self):
@@ -279,7 +279,7 @@ class Methods(PluginTest):
         return math.sqrt(m / 2 / 800 * (math.pi**2 + math.log(0.84) ** 2))
 
     def test_none_is_named(self):
-        for method, name in (("TDHS", "hard_sphere"), ("CGHS", "hard_sphere"), ("PLUGIN", "NAME")):
+        for method, name in (("TDHS", "hard_sphere"), ("CGHS", "hard_sphere"), ("MPPIC", "mp_pic"), ("PLUGIN", "NAME")):
             with self.subTest(method):
                 self.refused(self.coupled("", method=method), f"`method {method};` takes its collisions from a plug-in",
                              rf"add `plugins \({name}\);`", r"couplingDict, line \d")  # fmt: skip
@@ -291,21 +291,28 @@ class Methods(PluginTest):
 
     def test_weights(self):
         self.refused(self.coupled(["kick"], method="TDHS", more="weight 8;"), "`weight 8;` with method TDHS", "method CGHS")
-        for method in ("CGHS", "PLUGIN"):
+        for method in ("CGHS", "MPPIC", "PLUGIN"):
             done = self.coupled(["kick"], method=method, more="weight 8;")
             self.assertEqual(done.code, 0, done.text)
 
-    def test_mppic_is_refused(self):
-        self.refused(self.coupled(["kick"], method="MPPIC"), "`method MPPIC;` needs a collision style that this version does not have")
+    def test_step_of_mp_pic(self):
+        """The gas step, or what is given; nothing derives from collisions, which it does not have."""
+        self.assertAlmostEqual(self.solid_step(["kick"], method="MPPIC", step=""), GAS_STEP, delta=1e-12)
+        self.assertAlmostEqual(self.solid_step(["kick"], method="MPPIC"), STEP, delta=1e-12)
+        for entry in ("stepsPerCollision 4;", "largestOverlap 0.02; impactSpeed 1;"):
+            with self.subTest(entry):
+                self.refused(self.coupled(["kick"], method="MPPIC", step=entry), f"{entry.split()[0]} with method MPPIC", "solidStep")
 
     def test_a_script_without_the_plug_in_s_fix(self):
         self.refused(self.coupled(["kick"], script=SCENE + MOVE), "no fix of a plug-in is in the script", "one of these styles: test/kick")
 
-    def test_hard_spheres_beside_a_pair_style(self):
+    def test_collisions_of_a_plug_in_beside_a_pair_style(self):
         pair = ("fix kn all property/global kn peratomtypepair 1 800.0\nfix kt all property/global kt peratomtypepair 1 0.0\n"
                 "fix gn all property/global gamman_abs peratomtypepair 1 0.0\nfix gt all property/global gammat_abs peratomtypepair 1 0.0\n"
                 "pair_style gran model hooke/stiffness absolute_damping on\npair_coeff * *\n")  # fmt: skip
-        self.refused(self.coupled(["kick"], method="TDHS", script=SCENE + pair + KICK + MOVE), "pair style gran", "count twice")
+        for method in ("TDHS", "MPPIC"):
+            with self.subTest(method):
+                self.refused(self.coupled(["kick"], method=method, script=SCENE + pair + KICK + MOVE), "pair style gran", "count twice")
 
     def test_step_of_hard_spheres(self):
         """t_c of the DEM whose stiffness and restitution the script gives, cut to divide the gas step."""

@@ -35,6 +35,30 @@ Scalars BoxGas::pressure_gradient() const
     return flat;
 }
 
+Scalars BoxGas::gradient(const Scalars& of_cells) const
+{
+    Scalars all(mesh_.global_count(), 0.0);
+    for (std::size_t c = 0; c < of_cells.size(); ++c)
+        all[mesh_.global_number(c)] = of_cells[c];
+    comm_.sum(all);
+    return mesh_.gradient(all);
+}
+
+Scalars BoxGas::stretching(const Scalars& flow) const
+{
+    Scalars diagonal(flow.size());
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        Scalars all(mesh_.global_count(), 0.0);
+        for (std::size_t c = 0; c < voidage_.size(); ++c)
+            all[mesh_.global_number(c)] = flow[3 * c + axis];
+        comm_.sum(all);
+        const Scalars of_component = mesh_.gradient(all, 0.0);
+        for (std::size_t c = 0; c < voidage_.size(); ++c)
+            diagonal[3 * c + axis] = of_component[3 * c + axis];
+    }
+    return diagonal;
+}
+
 void BoxGas::set_velocity(const Vector& u)
 {
     for (std::size_t c = 0; c < voidage_.size(); ++c)

@@ -23,6 +23,9 @@ public:
     void solve(double dt, const Scalars& rate, const Scalars& source) override;
     Scalars velocity() const override { return velocity_; }
     Scalars pressure_gradient() const override;
+    /// Green-Gauss with values linear between the centres: OpenFOAM's `Gauss linear`.
+    Scalars gradient(const Scalars& of_cells) const override;
+    Scalars stretching(const Scalars& flow) const override;
     std::optional<std::string> trouble() const override { return trouble_; }
 
     /// Everywhere [m/s].

@@ -133,6 +133,30 @@ Box BoxMesh::whole() const
     return box;
 }
 
+Scalars BoxMesh::gradient(const Scalars& of_all_cells, std::optional<double> at_sides) const
+{
+    Scalars gradient(3 * view_.size());
+    for (std::size_t c = 0; c < view_.size(); ++c) {
+        const Index index = index_of({rank_, static_cast<int>(c)});
+        const double own = of_all_cells[global_number(c)];
+        for (int axis = 0, stride = 1; axis < 3; stride *= layers(axis++)) {
+            const Scalars& planes = planes_[at(axis)];
+            const int layer = index[at(axis)];
+            const auto thickness = [&](int n) { return planes[at(n + 1)] - planes[at(n)]; };
+            double face[2] = {at_sides.value_or(own), at_sides.value_or(own)};
+            for (const int side : {0, 1}) {
+                const int next = layer + (side == 0 ? -1 : 1);
+                if (next < 0 || next >= layers(axis)) continue;
+                const double share = thickness(layer) / (thickness(layer) + thickness(next));
+                const auto there = static_cast<int>(global_number(c)) + (next - layer) * stride;
+                face[side] = own + share * (of_all_cells[at(there)] - own);
+            }
+            gradient[3 * c + at(axis)] = (face[1] - face[0]) / thickness(layer);
+        }
+    }
+    return gradient;
+}
+
 Scalars even_planes(double low, double high, int cells) { return graded_planes(low, high, cells, 1.0); }
 
 Scalars graded_planes(double low, double high, int cells, double ratio)

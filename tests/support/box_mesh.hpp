@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "base/communicator.hpp"
 #include "exchange/cell_locator.hpp"
@@ -34,6 +35,10 @@ public:
     std::size_t global_count() const;
 
     Box whole() const;
+
+    /// In this rank's cells [n x 3], of values [global_count] that are linear between the centres, and at the sides of
+    /// the box `at_sides`, or without slope.
+    Scalars gradient(const Scalars& of_all_cells, std::optional<double> at_sides = std::nullopt) const;
 
 private:
     using Index = std::array<int, 3>;

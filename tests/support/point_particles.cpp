@@ -6,8 +6,8 @@
 namespace interphase::test {
 
 PointParticles::PointParticles(const Communicator& comm, const std::vector<Particle>& mine, const Vector& gravity,
-                               double solid_step)
-    : comm_(comm), gravity_(gravity), solid_step_(solid_step)
+                               double solid_step, SolidStress* stress)
+    : comm_(comm), gravity_(gravity), solid_step_(solid_step), stress_(stress)
 {
     const auto n = static_cast<Eigen::Index>(mine.size());
     for (auto* field : {&position_, &velocity_, &spin_, &force_, &fluid_force_})

@@ -23,11 +23,12 @@ struct Particle {
 class PointParticles : public Solids {
 public:
     PointParticles(const Communicator& comm, const std::vector<Particle>& mine, const Vector& gravity,
-                   double solid_step);
+                   double solid_step, SolidStress* stress = nullptr);
 
     ParticleView particles() override;
     Vector gravity() const override { return gravity_; }
     bool may_remove_particles() const override { return may_remove_; }
+    SolidStress* solid_stress() override { return stress_; }
     void advance(int substeps) override;
 
     std::size_t size() const { return id_.size(); }
@@ -73,6 +74,7 @@ private:
     Scalars booked_;
     std::vector<ParticleCoupling> coupling_;
     Vector impulse_on_held_ = Vector::Zero();
+    SolidStress* stress_ = nullptr;
     int doomed_ = -1;
     int broken_ = -1;
     bool breaks_position_ = false;

@@ -16,11 +16,12 @@ public:
     /// `all`: the particles of all ranks, the same list on each. Particle n lives on rank n modulo the number of ranks,
     /// so that the two decompositions have little in common.
     Scene(const Communicator& comm, const BoxMesh::Planes& planes, double gas_density, double viscosity,
-          const std::vector<Particle>& all, const Vector& gravity, double solid_step, const Settings& rules)
+          const std::vector<Particle>& all, const Vector& gravity, double solid_step, const Settings& rules,
+          SolidStress* stress = nullptr)
         : settings(rules),
           mesh(comm, planes, 2),
           gas(comm, mesh, gas_density, viscosity),
-          particles(comm, share_of(comm, all), gravity, solid_step),
+          particles(comm, share_of(comm, all), gravity, solid_step, stress),
           step(comm, settings, gas, particles, largest_diameter(all), stopwatch),
           solid_step_(solid_step)
     {}

@@ -168,13 +168,8 @@ class Refusals(Bench):
                 self.assertIn("at least 1 real particle", self.refused("bed", "--weight=" + weight))
         self.assertIn("no number", self.refused("bed", "--weight", "many"))
 
-    def test_methods_that_are_not_there(self):
-        for method in ("MPPIC", "mp-pic"):
-            with self.subTest(method):
-                self.assertIn("MPPIC is not part of this version; it has DEM, CGPM", self.refused("bed", "--method", method))
-
     def test_methods_of_plug_ins_without_one(self):
-        for method, name in (("TDHS", "hard_sphere"), ("cghs", "hard_sphere"), ("PLUGIN", "NAME")):
+        for method, name in (("TDHS", "hard_sphere"), ("cghs", "hard_sphere"), ("mp-pic", "mp_pic"), ("PLUGIN", "NAME")):
             with self.subTest(method):
                 message = self.refused("bed", "--method", method)
                 self.assertIn("the case names none", message)

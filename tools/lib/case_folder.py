@@ -19,9 +19,10 @@ LEFT_BY_A_RUN = (
     "results.h5", "particles.h5", "particles.xdmf", "bed.png", "report.png", "frames",
 )
 
-METHODS = ("DEM", "CGPM", "TDHS", "CGHS", "PLUGIN")
+METHODS = ("DEM", "CGPM", "TDHS", "CGHS", "MPPIC", "PLUGIN")
 OF_PARTICLES = ("DEM", "TDHS")  # every particle is tracked: W = 1
-OF_PLUGINS = ("TDHS", "CGHS", "PLUGIN")  # collisions come from a fix style that `plugins` brings
+# Collisions come from a fix style that `plugins` brings, usually from this one.
+OF_PLUGINS = {"TDHS": "hard_sphere", "CGHS": "hard_sphere", "MPPIC": "mp_pic", "PLUGIN": "NAME"}
 
 
 class CaseError(Exception):
@@ -148,10 +149,8 @@ class Dictionaries:
 
 
 def checked_method(name):
-    """`dem` -> `DEM`; CaseError for a method that this version does not have."""
+    """`dem` -> `DEM`, `mp-pic` -> `MPPIC`; CaseError for a method that there is not."""
     method = name.upper().replace("-", "")
-    if method == "MPPIC":
-        raise CaseError(f"method {method} is not part of this version; it has {', '.join(METHODS)}")
     if method not in METHODS:
         raise CaseError(f"method '{name}' is unknown: {nearest(method, METHODS)}")
     return method
@@ -187,10 +186,9 @@ def set_method_and_weight(case, method=None, weight=None):
             f"take --method {'CGPM' if chosen == 'DEM' else 'CGHS'} for parcels, or --weight 1"
         )
     if chosen in OF_PLUGINS and case.value(COUPLING, "plugins") in (None, "()"):
-        name = "NAME" if chosen == "PLUGIN" else "hard_sphere"
         raise CaseError(
             f"method {chosen} takes its collisions from a plug-in, and the case names none: "
-            f"add `plugins ({name});` to its {COUPLING}"
+            f"add `plugins ({OF_PLUGINS[chosen]});` to its {COUPLING}"
         )
     if method:
         case.set_at_source(COUPLING, "method", chosen)

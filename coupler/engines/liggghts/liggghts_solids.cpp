@@ -57,8 +57,10 @@ LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& setting
     lammps_file(lmp_, settings.script.c_str());
 
     refuse_unusable_scene();
-    if (lmp_->force->pair || !resolves_contacts(settings.method)) contact_duration_ = shortest_contact(*lmp_);
+    if (settings.method != Method::mp_pic && (lmp_->force->pair || !resolves_contacts(settings.method)))
+        contact_duration_ = shortest_contact(*lmp_);
     step_limit_ = ask_for_step_limit();
+    solid_stress_ = ask_for_solid_stress();
 }
 
 LiggghtsSolids::~LiggghtsSolids() { lammps_close(lmp_); }
@@ -106,9 +108,9 @@ void LiggghtsSolids::refuse_doubtful_collisions() const
                         settings_.script, "add a fix of one of these styles: " + listed(styles));
     }
     const std::string pair = lmp_->force->pair ? lmp_->force->pair_style : "";
-    if (is_hard_sphere(settings_.method) && pair.rfind("gran", 0) == 0)
+    if (settings_.method != Method::plugin && pair.rfind("gran", 0) == 0)
         throw UserError("the script has pair style " + pair + ", and method " + method +
-                            " collides hard spheres: each collision would count twice",
+                            " has collisions of its own: each would count twice",
                         settings_.script, "leave the pair style away for this method, or take DEM or CGPM");
 }
 
@@ -134,6 +136,25 @@ std::optional<double> LiggghtsSolids::ask_for_step_limit() const
     limit = comm_.min(limit);
     if (limit == none) return std::nullopt;
     return limit;
+}
+
+SolidStress* LiggghtsSolids::ask_for_solid_stress() const
+{
+    SolidStress* found = nullptr;
+    std::string by;
+    for (int i = 0; i < lmp_->modify->nfix; ++i) {
+        LAMMPS_NS::Fix* fix = lmp_->modify->fix[i];
+        if (!is_of_plugin(fix->style)) continue;
+        int dimension = 0;
+        auto* model = static_cast<SolidStress*>(fix->extract(extract_solid_stress, dimension));
+        if (!model) continue;
+        if (found)
+            throw UserError("two fixes want the solids' stress on the gas mesh: " + by + " and " + fix->id,
+                            settings_.script, "keep one of them; it moves all particles");
+        found = model;
+        by = fix->id;
+    }
+    return found;
 }
 
 void LiggghtsSolids::refuse_bodiless_particles() const

@@ -43,6 +43,7 @@ public:
     ParticleView particles() override;
     Vector gravity() const override { return gravity_; }
     bool may_remove_particles() const override { return may_remove_; }
+    SolidStress* solid_stress() override { return solid_stress_; }
     void advance(int substeps) override;
 
     std::string version() const;
@@ -53,6 +54,7 @@ private:
     void refuse_doubtful_collisions() const;
     bool is_of_plugin(const std::string& style) const;
     std::optional<double> ask_for_step_limit() const;
+    SolidStress* ask_for_solid_stress() const;
 
     Communicator comm_;
     const Settings& settings_;
@@ -60,6 +62,7 @@ private:
     FixFluid* fluid_ = nullptr;
     std::vector<LoadedPlugin> plugins_;
     std::optional<double> contact_duration_, step_limit_;
+    SolidStress* solid_stress_ = nullptr;  ///< a fix's
     Vector gravity_ = Vector::Zero();
     bool may_remove_ = false;
 };

@@ -26,12 +26,13 @@
 #include "neigh_request.h"
 #include "neighbor.h"
 #include "pointers.h"
+#include "step/solid_stress.hpp"
 #include "update.h"
 
 namespace interphase {
 
 /// Changes whenever a plug-in built before could be misread or misused.
-constexpr std::uint32_t plugin_interface_version = 1;
+constexpr std::uint32_t plugin_interface_version = 2;
 
 /// A fix style that the plug-in brings: as a script writes it, and what makes one.
 struct PluginStyle {
@@ -68,6 +69,10 @@ using PluginEntryPoint = const PluginDescriptor* (*)();
 /// double*: the longest solid step [s] that the fix bears with the particles there are; asked for after the script. The
 /// coupler keeps to it where it chooses the step, and refuses a longer one that is given.
 constexpr const char* extract_solid_step_limit = "solid_step_limit";
+
+/// SolidStress* (exactly that type, as void*): what the fix wants to know of the solids' stress on the gas mesh, see
+/// step/solid_stress.hpp. At most one fix asks for it. It lives as long as the fix.
+constexpr const char* extract_solid_stress = "solid_stress";
 
 // --- what the macro below is made of
 // ------------------------------------------------------------------------------------

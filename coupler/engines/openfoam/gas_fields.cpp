@@ -16,6 +16,14 @@ using namespace Foam;
 
 namespace {
 
+Scalars flat(const volVectorField& field)
+{
+    Scalars numbers(3 * static_cast<std::size_t>(field.size()));
+    forAll(field, c) for (direction axis = 0; axis < 3; ++axis) numbers[3 * static_cast<std::size_t>(c) + axis] =
+        field[c][axis];
+    return numbers;
+}
+
 /// Where the velocity is given, the inflow carries no particles and the velocity is superficial: voidage 1.
 wordList voidage_patch_types(const volVectorField& U)
 {
@@ -84,21 +92,47 @@ void GasFields::set_voidage(const Scalars& voidage)
     }
 }
 
-Scalars GasFields::velocity() const
-{
-    Scalars flat(3 * static_cast<std::size_t>(U_.size()));
-    forAll(U_, c) for (direction axis = 0; axis < 3; ++axis) flat[3 * static_cast<std::size_t>(c) + axis] = U_[c][axis];
-    return flat;
-}
+Scalars GasFields::velocity() const { return flat(U_); }
 
 Scalars GasFields::pressure_gradient() const
 {
     const tmp<volVectorField> gradient = fvc::grad(p_rgh_);
     const vector hydrostatic = rho_.value() * g_.value();
-    Scalars flat(3 * static_cast<std::size_t>(U_.size()));
-    forAll(U_, c) for (direction axis = 0; axis < 3; ++axis) flat[3 * static_cast<std::size_t>(c) + axis] =
-        gradient()[c][axis] + hydrostatic[axis];
-    return flat;
+    Scalars numbers = flat(gradient());
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        numbers[i] += hydrostatic[static_cast<direction>(i % 3)];
+    return numbers;
+}
+
+Scalars GasFields::gradient(const Scalars& of_cells) const
+{
+    volScalarField field(
+        IOobject("ofSolids", mesh_.time().timeName(), mesh_, IOobject::NO_READ, IOobject::NO_WRITE, false), mesh_,
+        dimensionedScalar("zero", dimless, 0), zeroGradientFvPatchScalarField::typeName);
+    forAll(field, c) field[c] = of_cells[static_cast<std::size_t>(c)];
+    field.correctBoundaryConditions();
+    return flat(fvc::grad(field)());
+}
+
+Scalars GasFields::stretching(const Scalars& flow) const
+{
+    wordList types(mesh_.boundary().size(), fixedValueFvPatchVectorField::typeName);
+    forAll(types, patch)
+    {
+        const fvPatch& side = mesh_.boundary()[patch];
+        if (fvPatch::constraintType(side.type())) types[patch] = side.type();
+    }
+    volVectorField field(
+        IOobject("flowOfSolids", mesh_.time().timeName(), mesh_, IOobject::NO_READ, IOobject::NO_WRITE, false), mesh_,
+        dimensionedVector("zero", dimless, Zero), types);
+    forAll(field, c) for (direction axis = 0; axis < 3; ++axis) field[c][axis] =
+        flow[3 * static_cast<std::size_t>(c) + axis];
+    field.correctBoundaryConditions();
+    const tmp<volTensorField> gradient = fvc::grad(field);
+    Scalars numbers(flow.size());
+    forAll(field, c) for (direction axis = 0; axis < 3; ++axis) numbers[3 * static_cast<std::size_t>(c) + axis] =
+        gradient()[c][4 * axis];  // the diagonal
+    return numbers;
 }
 
 std::optional<std::string> GasFields::trouble() const

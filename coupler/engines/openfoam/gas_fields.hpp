@@ -23,6 +23,8 @@ public:
     void set_voidage(const Scalars& voidage) override;
     Scalars velocity() const override;
     Scalars pressure_gradient() const override;
+    Scalars gradient(const Scalars& of_cells) const override;
+    Scalars stretching(const Scalars& flow) const override;
     std::optional<std::string> trouble() const override;
     double pressure_at(const Vector& point) const override;
     double total_volume() const override;

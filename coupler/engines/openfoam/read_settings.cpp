@@ -38,11 +38,9 @@ std::vector<std::string> scene_parameters(const Foam::fileName& root)
 
 void read_method(DictionaryReader& dict, Settings& settings)
 {
-    constexpr Method methods[] = {Method::dem, Method::cgpm, Method::tdhs, Method::cghs, Method::plugin};
-    const std::string method = dict.choice("method", "DEM", {"DEM", "CGPM", "TDHS", "CGHS", "PLUGIN", "MPPIC"});
-    if (method == "MPPIC")
-        throw dict.complaint("method", "`method MPPIC;` needs a collision style that this version does not have",
-                             "use DEM or TDHS, or CGPM or CGHS with a weight");
+    constexpr Method methods[] = {Method::dem,  Method::cgpm,   Method::tdhs,
+                                  Method::cghs, Method::mp_pic, Method::plugin};
+    const std::string method = dict.choice("method", "DEM", {"DEM", "CGPM", "TDHS", "CGHS", "MPPIC", "PLUGIN"});
     settings.method =
         *std::find_if(std::begin(methods), std::end(methods), [&](Method m) { return name_of(m) == method; });
     settings.weight = dict.number(
@@ -63,7 +61,9 @@ void read_plugins(DictionaryReader& dict, Settings& settings)
     if (resolves_contacts(settings.method) || !settings.plugins.empty()) return;
     throw dict.complaint("method", "`method " + method + ";` takes its collisions from a plug-in, and none is named",
                          is_hard_sphere(settings.method) ? "add `plugins (hard_sphere);`"
-                                                         : "add `plugins (NAME);` with the name or \"path\" of yours");
+                         : settings.method == Method::mp_pic
+                             ? "add `plugins (mp_pic);`"
+                             : "add `plugins (NAME);` with the name or \"path\" of yours");
 }
 
 /// How long a solid step is: given, or by one of two rules.
@@ -81,6 +81,11 @@ void read_solid_step(DictionaryReader& dict, Settings& settings)
         "between 0 and 1 (part of the tracked diameter that two spheres may overlap)");
     settings.impact_speed = dict.number("impactSpeed", 0, positive, "above 0 (m/s, at which spheres meet)");
 
+    if (settings.method == Method::mp_pic)
+        for (const char* entry : {"stepsPerCollision", "largestOverlap", "impactSpeed"})
+            if (dict.has(entry))
+                throw dict.complaint(entry, std::string(entry) + " with method MPPIC, which has no single collisions",
+                                     "leave it away for the gas step, or give solidStep");
     for (const char* entry : {"largestOverlap", "impactSpeed"})
         if (resolved && dict.has(entry))
             throw dict.complaint(entry,

@@ -142,6 +142,8 @@ public:
     }
     Scalars velocities() const { return gas_->velocity(); }
     Scalars pressure_gradients() const { return gas_->pressure_gradient(); }
+    Scalars gradient(const Scalars& of_cells) const { return gas_->gradient(of_cells); }
+    Scalars stretching(const Scalars& flow) const { return gas_->stretching(flow); }
     double pressure(std::size_t c) const { return gas_->pressure_at(centre(c)); }
 
 private:

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-#include <memory>
-#include <string>
 #include <vector>
 
-#include "hard_sphere/bodies.hpp"
+#include "walls/place.hpp"
 
-namespace interphase::hard_sphere {
+namespace interphase::walls {
 
 /// Where a sphere may touch a wall.
 struct WallPoint {
@@ -32,9 +29,6 @@ public:
     /// Cheap: false if no point is within `reach`.
     virtual bool may_touch(const Place& sphere, double reach) const = 0;
 
-    /// Adds those of the bodies that may touch, so that walls can be quick about the others.
-    virtual void choose(const Bodies& bodies, double reach, std::vector<int>& chosen) const;
-
 private:
     int type_;
 };
@@ -49,7 +43,8 @@ public:
         const double distance = sphere.centre[axis_] - at_;
         return (distance < 0 ? -distance : distance) < sphere.radius + reach;
     }
-    void choose(const Bodies& bodies, double reach, std::vector<int>& chosen) const override;
+    int axis() const { return static_cast<int>(axis_); }
+    double position() const { return at_; }  ///< [m]
 
 private:
     std::size_t axis_;
@@ -78,4 +73,4 @@ private:
     double centre_[2];
 };
 
-}  // namespace interphase::hard_sphere
+}  // namespace interphase::walls

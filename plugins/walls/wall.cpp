@@ -1,25 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hard_sphere/wall.hpp"
+#include "walls/wall.hpp"
 
 #include <cmath>
 
-namespace interphase::hard_sphere {
-
-void Wall::choose(const Bodies& bodies, double reach, std::vector<int>& chosen) const
-{
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-        if (may_touch(bodies.path[i].place, reach)) chosen.push_back(static_cast<int>(i));
-}
-
-void PlaneWall::choose(const Bodies& bodies, double reach, std::vector<int>& chosen) const
-{
-    const Coarse& coarse = bodies.coarse;
-    const float *centre = coarse.centre[axis_].data(), *radius = coarse.radius.data();
-    const auto at = static_cast<float>(at_ - coarse.middle[axis_]), gap = static_cast<float>(reach + coarse.rounding);
-    const int n = static_cast<int>(bodies.size());
-    for (int i = 0; i < n; ++i)
-        if (std::abs(centre[i] - at) < radius[i] + gap) chosen.push_back(i);
-}
+namespace interphase::walls {
 
 void PlaneWall::near(const Place& sphere, double reach, std::vector<WallPoint>& points) const
 {
@@ -52,4 +36,4 @@ void CylinderWall::near(const Place& sphere, double reach, std::vector<WallPoint
     points.push_back({normal, std::abs(to_wall) - sphere.radius, Vector::Zero(), 0});
 }
 
-}  // namespace interphase::hard_sphere
+}  // namespace interphase::walls

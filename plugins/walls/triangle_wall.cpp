@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hard_sphere/triangle_wall.hpp"
+#include "walls/triangle_wall.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-namespace interphase::hard_sphere {
+namespace interphase::walls {
 
 namespace {
 
@@ -148,4 +148,4 @@ void TriangleWall::near(const Place& sphere, double reach, std::vector<WallPoint
     }
 }
 
-}  // namespace interphase::hard_sphere
+}  // namespace interphase::walls

@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
-#include "hard_sphere/wall.hpp"
+#include "walls/wall.hpp"
 
-namespace interphase::hard_sphere {
+namespace interphase::walls {
 
 using Triangle = std::array<Vector, 3>;
 
@@ -37,4 +37,4 @@ private:
     std::vector<int> start_, members_;  ///< triangles whose box meets each cell
 };
 
-}  // namespace interphase::hard_sphere
+}  // namespace interphase::walls

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/communicator.hpp"
+#include "mapping/mapping.hpp"
+#include "step/gas.hpp"
+#include "step/solid_stress.hpp"
+
+namespace interphase {
+
+/// What the solids' stress adds to a coupling step: particles -> mean velocity per cell, solid fraction -> stress and
+/// its gradient (mesh), all of it -> particles, with the weights of everything else.
+class StressExchange {
+public:
+    /// Numbers that a particle takes home because of it.
+    static constexpr std::size_t width = 13;
+
+    StressExchange(const Communicator& comm, Gas& gas, const Mapping& mapping, SolidStress& model)
+        : comm_(comm), gas_(gas), mapping_(mapping), model_(model)
+    {}
+
+    /// `solid_volume` [own cells, m3], within the mapping's packing limit; `momenta` of the visitors [n x 4]: m v and m
+    /// [kg m/s, kg]. After mapping.solid_volume(). Throws a UserError in the first call if a cell is beyond close
+    /// packing and the model refuses that. Collective.
+    void compute(const Scalars& solid_volume, const Scalars& momenta);
+
+    /// Writes what visitor i, whose home is `cell`, takes home [width].
+    void write_answer(std::size_t i, int cell, double* answer) const;
+
+    /// Hands the answers, arrived in the order `order` of the rank's particles with `before` other numbers in front of
+    /// each (the drag rate first), to the model. Throws a UserError if it complains of the gas step. Collective.
+    StepTooLong begin(const Scalars& answers, std::size_t before, const std::vector<std::size_t>& order,
+                      const ScalarsView& mass, double gas_step);
+
+    /// Cells of this rank beyond close packing, cell by cell and step by step.
+    long cells_overpacked() const { return cells_overpacked_; }
+
+private:
+    void look_for_overpacked_cells(const Scalars& solid_volume);
+    void add_closing_speeds(const Scalars& fractions, const Scalars& flow, Scalars& cells) const;
+
+    Communicator comm_;
+    Gas& gas_;
+    const Mapping& mapping_;
+    SolidStress& model_;
+    Scalars at_visitors_;  ///< gradient, solid fraction, mean velocity, closing speed [n x 10]
+    bool started_ = false;
+    long cells_overpacked_ = 0;
+};
+
+}  // namespace interphase

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mp_pic/fix_mp_pic.hpp"
+
+#include <mpi.h>
+
+#include <cmath>
+#include <cstring>
+#include <string>
+
+#include "atom.h"
+#include "base/text.hpp"
+#include "engines/liggghts/plugin.hpp"
+#include "error.h"
+#include "modify.h"
+#include "mp_pic/fix_wall_mp_pic.hpp"
+#include "mp_pic/velocity_limiter.hpp"
+#include "update.h"
+
+namespace interphase::mp_pic {
+
+namespace {
+
+constexpr int grow_callback = 0;
+
+/// Places in the sums.
+enum Sum { by_stress = 0, by_walls = 3, bounces = 6, pushed = 7 };
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+FixMpPic::FixMpPic(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, arg)
+{
+    if (!atom->sphere_flag) error->all(FLERR, "Fix mp_pic: the particles are no spheres; use atom_style granular");
+    time_integrate = 1;
+    create_attribute = 1;
+    vector_flag = 1;
+    size_vector = static_cast<int>(sums_.size());
+    global_freq = 1;
+    extvector = 1;
+    read_arguments(narg, arg);
+    grow_arrays(atom->nmax);
+    atom->add_callback(grow_callback);
+}
+
+FixMpPic::~FixMpPic() { atom->delete_callback(id, grow_callback); }
+
+int FixMpPic::setmask() { return LAMMPS_NS::FixConst::INITIAL_INTEGRATE | LAMMPS_NS::FixConst::FINAL_INTEGRATE; }
+
+void* FixMpPic::extract(const char* name, int& dimension)
+{
+    dimension = 0;
+    if (has_stress_ && std::strcmp(name, extract_solid_stress) == 0) return static_cast<SolidStress*>(this);
+    return nullptr;
+}
+
+void FixMpPic::init()
+{
+    refuse_company();
+    read_restitution();
+    sort_by_default();
+}
+
+void FixMpPic::setup(int)
+{
+    walls_.clear();
+    for (int k = 0; k < modify->nfix; ++k)
+        if (const auto* fix = dynamic_cast<FixWallMpPic*>(modify->fix[k])) fix->add_walls(walls_);
+    for (const auto& wall : walls_)
+        if (wall->type() < 0 || wall->type() >= atom->ntypes)
+            error->all(FLERR, "Fix mp_pic: a wall has a type that the simulation box does not know");
+}
+
+double FixMpPic::stress(double solid_fraction) const
+{
+    return std::visit([&](const auto& law) { return law.stress(solid_fraction); }, law_);
+}
+
+StepTooLong FixMpPic::begin(double gas_step)
+{
+    arrived_ = true;
+    StepTooLong found;
+    int worst = -1;
+    double shortest = gas_step;
+    for (int i = 0; i < atom->nlocal; ++i) {
+        if (!(atom->mask[i] & groupbit)) continue;
+        const LongestStep longest =
+            longest_step(states_[at(i)], Eigen::Map<const Vector>(atom->v[i]), courant_, relaxation_share_);
+        found.crossing_cells += longest.crossing < gas_step;
+        found.beyond_relaxation += longest.relaxation < update->dt;
+        if (longest.crossing < shortest) {
+            shortest = longest.crossing;
+            worst = i;
+        }
+    }
+    if (refuses_long_steps_ && worst >= 0) complain_of_step(worst, gas_step, shortest);
+    return found;
+}
+
+void FixMpPic::complain_of_step(int particle, double gas_step, double longest)
+{
+    const auto told = [](const double* v) { return text(Vector(v[0], v[1], v[2])); };
+    complaint_ = "particle " + std::to_string(atom->tag[particle]) + " moves at " + told(atom->v[particle]) +
+                 " m/s and would cross more than " + text(courant_) + " of its gas cell in a gas step of " +
+                 text(gas_step) + " s\n  where:  at " + told(atom->x[particle]) + " (fix " + id +
+                 " mp_pic)\n  remedy: give a gas step below " + text(longest) +
+                 " s (deltaT in system/controlDict), or `too_fast count` in the script";
+}
+
+void FixMpPic::initial_integrate(int)
+{
+    if (has_stress_ && !arrived_)
+        error->all(
+            FLERR,
+            "Fix mp_pic: no solid stress has arrived. It comes from the gas mesh: run the case through `interphase` "
+            "with a gas, or give `stress off` for particles that do not feel each other");
+    const double half = 0.5 * update->dt;
+    for (int i = 0; i < atom->nlocal; ++i) {
+        if (!(atom->mask[i] & groupbit)) continue;
+        kick(i, half);
+        if (has_stress_) {
+            const Vector given = atom->rmass[i] * take_stress(i);
+            for (int axis = 0; axis < 3; ++axis)
+                sums_[at(by_stress + axis)] += given[axis];
+        }
+        move(i);
+    }
+}
+
+void FixMpPic::final_integrate()
+{
+    const double half = 0.5 * update->dt;
+    for (int i = 0; i < atom->nlocal; ++i)
+        if (atom->mask[i] & groupbit) kick(i, half);
+}
+
+void FixMpPic::kick(int i, double dt)
+{
+    const double per_mass = dt / atom->rmass[i];
+    for (int axis = 0; axis < 3; ++axis)
+        atom->v[i][axis] += per_mass * atom->f[i][axis];
+}
+
+Vector FixMpPic::take_stress(int i)
+{
+    const StressState& state = states_[at(i)];
+    const double r = atom->radius[i], density = atom->rmass[i] / (4.0 / 3.0 * M_PI * r * r * r);
+    // The mean motion is made of whole steps' velocities, so it is compared with these: half a kick behind and ahead.
+    Eigen::Map<Vector> velocity(atom->v[i]);
+    const Vector kick = 0.5 * update->dt / atom->rmass[i] * Eigen::Map<const Vector>(atom->f[i]);
+    const double e = restitution_[at(atom->type[i] - 1)];
+    const Vector change = limited_stress_change(state, velocity - kick, velocity + kick, density, e, update->dt);
+    velocity += change;
+    return change;
+}
+
+void FixMpPic::move(int i)
+{
+    const Eigen::Map<const Vector> velocity(atom->v[i]);
+    walls::Place place;
+    std::copy_n(atom->x[i], 3, place.centre);
+    place.radius = atom->radius[i];
+    const Drift moved = drift(place, velocity, update->dt, walls_, wall_laws_[at(atom->type[i] - 1)]);
+    if (moved.bounces > 0 || moved.pushed > 0) {
+        const Vector given = atom->rmass[i] * (moved.velocity - velocity);
+        for (int axis = 0; axis < 3; ++axis)
+            sums_[at(by_walls + axis)] += given[axis];
+        sums_[bounces] += moved.bounces;
+        sums_[pushed] += moved.pushed;
+    }
+    std::copy_n(moved.position.data(), 3, atom->x[i]);
+    std::copy_n(moved.velocity.data(), 3, atom->v[i]);
+}
+
+double FixMpPic::compute_vector(int k)
+{
+    double sum = 0;
+    MPI_Allreduce(&sums_[at(k)], &sum, 1, MPI_DOUBLE, MPI_SUM, world);
+    return sum;
+}
+
+void FixMpPic::grow_arrays(int count) { states_.resize(at(count)); }
+
+void FixMpPic::copy_arrays(int from, int to, int) { states_[at(to)] = states_[at(from)]; }
+
+void FixMpPic::set_arrays(int i) { states_[at(i)] = {}; }
+
+int FixMpPic::pack_exchange(int i, double* buffer)
+{
+    static_assert(sizeof(StressState) % sizeof(double) == 0);
+    std::memcpy(buffer, &states_[at(i)], sizeof(StressState));
+    return sizeof(StressState) / sizeof(double);
+}
+
+int FixMpPic::unpack_exchange(int i, double* buffer)
+{
+    std::memcpy(static_cast<void*>(&states_[at(i)]), buffer, sizeof(StressState));
+    return sizeof(StressState) / sizeof(double);
+}
+
+double FixMpPic::memory_usage() { return static_cast<double>(states_.size() * sizeof(StressState)); }
+
+}  // namespace interphase::mp_pic

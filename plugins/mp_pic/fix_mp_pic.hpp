@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "fix.h"
+#include "mp_pic/stress_law.hpp"
+#include "mp_pic/wall_bounce.hpp"
+#include "step/solid_stress.hpp"
+
+namespace interphase::mp_pic {
+
+/// The LIGGGHTS fix style `mp_pic`: moves the particles of its group without rotation and without collisions among each
+/// other. In their place the stress of the solids on the gas mesh, which the coupler brings, guides the velocity; off
+/// walls (fixes `wall/mp_pic`) particles bounce. What the script may say stands in the folder's README.
+///
+/// A step is that of LIGGGHTS's own integrators (velocity Verlet: half a kick, a drift, the forces, half a kick), with
+/// the stress's change of velocity before the drift. So it is no part of the forces, and the gas, which answers for
+/// these (FluidForce), does not take it for another's.
+class FixMpPic : public LAMMPS_NS::Fix, public SolidStress {
+public:
+    static constexpr const char* style_name = "mp_pic";
+
+    FixMpPic(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+    ~FixMpPic() override;
+
+    int setmask() override;
+    void init() override;
+    void setup(int) override;
+    void initial_integrate(int) override;
+    void final_integrate() override;
+    void* extract(const char* name, int& dimension) override;
+
+    void grow_arrays(int count) override;
+    void copy_arrays(int from, int to, int) override;
+    void set_arrays(int i) override;
+    int pack_exchange(int i, double* buffer) override;
+    int unpack_exchange(int i, double* buffer) override;
+    double memory_usage() override;
+
+    /// What `thermo_style custom f_ID[k]` shows; see the README. Collective.
+    double compute_vector(int k) override;
+
+    double stress(double solid_fraction) const override;
+    double close_packing() const override { return close_packing_; }
+    bool refuses_overfilled_start() const override { return refuses_overfilled_; }
+    StressState* states() override { return states_.data(); }
+    StepTooLong begin(double gas_step) override;
+    const char* complaint() const override { return complaint_.empty() ? nullptr : complaint_.c_str(); }
+
+private:
+    void read_arguments(int narg, char** arg);
+    void refuse_company() const;
+    void read_restitution();
+    void sort_by_default();
+    void kick(int i, double dt);
+    Vector take_stress(int i);
+    void move(int i);
+    void complain_of_step(int particle, double gas_step, double longest);
+
+    // what the script says
+    bool has_stress_ = true;
+    std::variant<HarrisCrighton, Lun> law_ = HarrisCrighton{100, 3, 0};
+    double close_packing_ = 0.6;
+    bool refuses_overfilled_ = true;
+    bool refuses_long_steps_ = false;
+    double courant_ = 1, relaxation_share_ = 1;
+
+    std::vector<double> restitution_;              ///< among particles, by type
+    std::vector<std::vector<WallLaw>> wall_laws_;  ///< by type of particle and of wall
+    std::vector<std::unique_ptr<walls::Wall>> walls_;
+
+    std::vector<StressState> states_;  ///< [atoms]
+    bool arrived_ = false;
+    std::string complaint_;
+
+    /// Since the start, of this rank: momentum that stress and walls gave [kg m/s]; bounces, put out of walls.
+    std::array<double, 8> sums_{};
+};
+
+}  // namespace interphase::mp_pic

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fix.h"
+#include "walls/triangle_wall.hpp"
+
+namespace LAMMPS_NS {
+class FixMeshSurface;
+}
+
+namespace interphase::walls {
+
+/// The part of a fix style for walls that names them, as `wall/gran` does:
+///
+///     fix ID all wall/STYLE primitive type T xplane X | yplane Y | zplane Z
+///     fix ID all wall/STYLE primitive type T xcylinder R Y Z | ycylinder R Z X | zcylinder R X Y
+///     fix ID all wall/STYLE mesh n_meshes N meshes MESH_1 ... MESH_N
+///
+/// Anything else stops the run with an error of LIGGGHTS.
+class FixWall : public LAMMPS_NS::Fix {
+public:
+    FixWall(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+
+    int setmask() override { return 0; }
+
+    /// Adds this fix's walls as they stand now. Collective.
+    void add_walls(std::vector<std::unique_ptr<Wall>>& walls) const;
+
+protected:
+    /// Ends the run. Collective.
+    void complain(const std::string& what) const;
+
+private:
+    void read_primitive(int narg, char** arg);
+    void read_meshes(int narg, char** arg);
+    double number(const char* word) const;
+    std::vector<Triangle> all_triangles(LAMMPS_NS::FixMeshSurface& fix) const;
+
+    int type_ = 0;
+    std::string primitive_;
+    std::vector<double> parameters_;
+    std::vector<std::string> meshes_;
+};
+
+}  // namespace interphase::walls

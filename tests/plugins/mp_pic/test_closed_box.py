@@ -1,0 +1,180 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+# timeout: 600
+# processors: 4
+"""Parcels in a closed box: no stress where they are spread evenly, books that close, tracers that fly as DEM's do, the same on any number
+of ranks, and bad input refused.
+"""
+
+import os
+import sys
+import unittest
+
+import numpy
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+
+import boxes  # noqa: E402
+import support  # noqa: E402
+
+SIZE, CELLS = (0.04, 0.04, 0.08), (4, 4, 8)
+DIAMETER, DENSITY = 2e-3, 1000.0
+MASS = DENSITY * numpy.pi / 6 * DIAMETER**3
+THIN = (1e-30, 1e-30)  # a fluid that nobody feels
+FROZEN = "model frozen; coupling oneWay;"
+SUMS = ('variable s1 equal "f_move[1]"\nvariable s2 equal "f_move[2]"\nvariable s3 equal "f_move[3]"\nvariable w1 equal "f_move[4]"\n'
+        'variable w2 equal "f_move[5]"\nvariable w3 equal "f_move[6]"\n'
+        'fix sums all print 1 "${s1} ${s2} ${s3} ${w1} ${w2} ${w3}" file dem/sums screen no\n')  # fmt: skip
+
+
+def crowd(seed=1, speed=0.2, counts=(12, 12, 24)):
+    draw = numpy.random.default_rng(seed)
+    position = boxes.lattice(SIZE, counts)
+    return position, draw.normal(scale=speed, size=position.shape)
+
+
+def heaped(seed=2):
+    """Denser below than above, anywhere."""
+    draw = numpy.random.default_rng(seed)
+    place = draw.uniform(0.001, 1, (5000, 3)) * (numpy.array(SIZE) - 2.1e-3) + 1.05e-3
+    place[:, 2] = 1.05e-3 + (place[:, 2] - 1.05e-3) * draw.uniform(0.3, 1, 5000)
+    return place, draw.normal(scale=0.3, size=place.shape)
+
+
+class ClosedBox(support.ProgramTest):
+    def run_box(self, name, ranks=1, **how):
+        position, velocity = how.pop("parcels")
+        box = boxes.Box(SIZE, CELLS, DIAMETER, DENSITY, position, velocity, **how)
+        return self.run_case(box.write(os.path.join(self.root, name), ranks), ranks)
+
+    @staticmethod
+    def sums(done):
+        """(by the stress, by walls) after the last step [kg m/s]."""
+        last = support.read(done.path("dem", "sums")).strip().splitlines()[-1]
+        return numpy.split(numpy.array([float(word) for word in last.split()]), 2)
+
+    @staticmethod
+    def momentum(snapshot):
+        return MASS * snapshot["velocity"].sum(axis=0)
+
+    def test_no_force_where_the_bed_is_uniform(self):
+        """27 parcels in every cell, each in its own: the gradient is 0 to round-off, whatever velocities they have."""
+        parcels = crowd()
+        done = self.run_box("uniform", parcels=parcels, fluid=THIN, gas=FROZEN, mapping="type cellCentre;", step=1e-4, end=1e-4,
+                            integrator="fix move all mp_pic\n" + SUMS)  # fmt: skip
+        snapshots = done.snapshots()
+        change = snapshots[max(snapshots)]["velocity"] - parcels[1]
+        print(f"uniform bed: velocities change by {abs(change).max():.1e} m/s")
+        self.assertLess(abs(change).max(), 1e-12)  # against 0.2 m/s; the stress of 27 parcels is 0.4 Pa
+
+    def test_momentum_comes_from_stress_and_walls_alone(self):
+        parcels = heaped()
+        done = self.run_box("heap", parcels=parcels, fluid=THIN, gas=FROZEN, step=5e-4, end=0.1, integrator="fix move all mp_pic overfilled count\n" + SUMS)
+        snapshots = done.snapshots()
+        change = self.momentum(snapshots[max(snapshots)]) - MASS * parcels[1].sum(axis=0)
+        by_stress, by_walls = self.sums(done)
+        scale = MASS * abs(parcels[1]).sum()
+        off = abs(change - by_stress - by_walls).max() / scale
+        print(f"momentum: stress {by_stress / scale}, walls {by_walls / scale}, left over {off:.1e}")
+        self.assertLess(off, 1e-12)  # round-off of 200 steps
+        self.assertGreater(abs(by_stress).max() / scale, 1e-3)  # the stress does something
+
+    def test_books_with_the_gas_close(self):
+        done = self.run_box("books", parcels=heaped(), gravity=9.81, step=5e-4, end=0.1, integrator="fix move all mp_pic overfilled count\n")
+        with done.results() as file:
+            self.assertLess(file["/ledger/momentum_residual"][:].max(), 1e-12)
+            self.assertLess(file["/ledger/volume_residual"][:].max(), 1e-12)
+            self.assertIn("cells_beyond_close_packing", file["/ledger"])
+
+    def test_tracers_fly_as_dem_s_do(self):
+        """Stress off, W = 1: the same trajectory as nve/sphere's, through gas that drags and gravity."""
+        draw = numpy.random.default_rng(4)
+        position = draw.uniform(0.3, 0.7, (20, 3)) * SIZE
+        velocity = draw.normal(scale=0.05, size=position.shape)  # none gets to a wall
+        found = {}
+        for name, method, integrator in (("mp_pic", "MPPIC", "fix move all mp_pic stress off\n"), ("dem", "DEM", "fix move all nve/sphere\n")):
+            done = self.run_box(name, parcels=(position, velocity), method=method, integrator=integrator, gravity=9.81, step=5e-4, end=0.04,
+                                walls=boxes.PLANES if name == "mp_pic" else "", particles="solidStep 2.5e-4;")  # fmt: skip
+            snapshots = done.snapshots()
+            found[name] = snapshots[max(snapshots)]
+        for what in ("position", "velocity"):
+            off = abs(found["mp_pic"][what] - found["dem"][what]).max()
+            print(f"tracers: {what} differs from DEM's by {off:.1e}")
+            # the same operations in another library; gas solvers start from the same numbers
+            self.assertLess(off, 1e-13)
+
+    def test_ranks_conserve_alike_and_agree(self):
+        means = {}
+        for ranks in (1, 2, 4):
+            done = self.run_box(f"ranks{ranks}", ranks, parcels=heaped(), gravity=9.81, step=5e-4, end=0.2, write_every=0.01,
+                                integrator="fix move all mp_pic overfilled count\n")  # fmt: skip
+            with done.results() as file:
+                self.assertLess(file["/ledger/momentum_residual"][:].max(), 1e-12)
+                self.assertEqual(file["/series/particles"][-1], 5000)
+                means[ranks] = [file[f"/series/{name}"][-10:].mean() for name in ("bed_height", "kinetic_energy", "lowest_voidage")]
+            print(f"{ranks} ranks: bed height, kinetic energy, lowest voidage {means[ranks]}")
+        for ranks in (2, 4):
+            for one, other in zip(means[1], means[ranks]):
+                # sums in another order, 1e-16, which 400 steps make grow to 1e-12 or so
+                self.assertLess(abs(other / one - 1), 1e-6)
+
+
+class BadInput(support.ProgramTest):
+    def ended(self, expected, good=False, **how):
+        position, velocity = how.pop("parcels", crowd(speed=0.05, counts=(4, 4, 8)))
+        box = boxes.Box(SIZE, CELLS, how.pop("diameter", DIAMETER), DENSITY, position, velocity, end=2e-3, gas=how.pop("gas", FROZEN), **how)
+        done = support.execute(box.write(os.path.join(self.root, f"box{len(os.listdir(self.root))}")))
+        self.assertEqual(done.code == 0, good, done.text[-3000:])
+        text = " ".join((done.text + (support.read(done.path("log.liggghts")) if os.path.exists(done.path("log.liggghts")) else "")).split())
+        self.assertRegex(text, expected)
+        return done
+
+    def test_words_of_the_fix(self):
+        for words, expected in (
+            ("close_packing 1", "close_packing 1: give a solid fraction between 0 and 1"),
+            ("close_packing 0", "close_packing 0: give a solid fraction"),
+            ("close_packing -0.6", "close_packing -0.6: give"),
+            ("stress harris_crighton 0 3", "P_s 0: give P_s above 0, in Pa"),
+            ("stress harris_crighton -10 3", "P_s -10: give"),
+            ("stress harris_crighton 10 0", "xi 0: give an exponent above 0"),
+            ("stress harris_crighton ten 3", "P_s ten': no number"),
+            ("stress harris_crighton 10", "needs a value"),
+            ("stress hooke", "stress hooke: give harris_crighton P_s xi, lun .* or off"),
+            ("stress lun 1000 0.01 1.5", "restitution 1.5: give 0 to 1"),
+            ("courant 0", "courant 0: give"),
+            ("too_fast no", "too_fast no: give stop or count"),
+            ("packing 0.6", "unknown word 'packing'; known: stress, close_packing"),
+        ):
+            with self.subTest(words):
+                self.ended(expected, integrator=f"fix move all mp_pic {words}\n")
+
+    def test_restitution(self):
+        self.ended(r"coefficientRestitution is 1\.5", e=1.5)
+
+    def test_company(self):
+        self.ended("fix other .nve/sphere. does, too", integrator="fix other all nve/sphere\nfix move all mp_pic\n")
+        self.ended("two fixes want|does, too", integrator="fix other all mp_pic\nfix move all mp_pic\n")
+        self.ended("there is no fix mp_pic that heeds this wall|no fix", integrator="fix move all nve/sphere\n")
+
+    def test_without_a_gas(self):
+        self.ended("no solid stress has arrived", gas="model none;")
+
+    def test_a_cell_that_is_overfilled_at_the_start(self):
+        place = numpy.random.default_rng(1).uniform(-1, 1, (200, 3)) * 3e-3 + [0.015, 0.015, 0.035]
+        parcels = (place, numpy.zeros_like(place))
+        self.ended(r"beyond close packing at the start.*0\.8.*where: in the cell at \(0\.015 0\.015 0\.035\)", parcels=parcels,
+                   mapping="type cellCentre; maximumPacking 0.95;")  # fmt: skip
+        done = self.ended("cells beyond close packing +[1-9]", good=True, parcels=parcels, mapping="type cellCentre; maximumPacking 0.95;",
+                          integrator="fix move all mp_pic overfilled count\n")  # fmt: skip
+        self.assertEqual(done.code, 0)
+
+    def test_steps_that_cross_cells(self):
+        position, velocity = crowd(speed=0.0, counts=(4, 4, 8))
+        velocity[5] = (0, 0, 30.0)
+        self.ended("steps too long for a particle's cell +[1-9]", good=True, parcels=(position, velocity))
+        self.ended(r"particle 6 moves at \(0 0 30\) m/s.*remedy: give a gas step below", parcels=(position, velocity),
+                   integrator="fix move all mp_pic too_fast stop\n")  # fmt: skip
+
+
+if __name__ == "__main__":
+    unittest.main()
