@@ -82,7 +82,6 @@ void FixTdhs::init()
 {
     refuse_company();
     materials_ = read_materials();
-    ask_gravity();
 
     double smallest = 1e300, largest = 0;
     for (int i = 0; i < atom->nlocal; ++i) {
@@ -97,7 +96,6 @@ void FixTdhs::init()
         }
     smallest_radius_ = -shared_max(-smallest);
     largest_radius_ = shared_max(largest);
-    choose_effort();
     // ghosts as far away as a pair may be that meets within one step
     sort_by_default();
     comm->cutghostuser = std::max(comm->cutghostuser, 4 * largest_radius_ + neighbor->skin);
@@ -115,6 +113,8 @@ void FixTdhs::sort_by_default()
 
 void FixTdhs::setup(int)
 {
+    ask_gravity();  // not in init(): the fix may come later in the script, and knows only after its own
+    choose_effort();
     collect_walls();
     for (const auto& wall : walls_)
         if (wall->type() < 0 || wall->type() >= atom->ntypes)
