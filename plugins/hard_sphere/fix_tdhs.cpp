@@ -16,6 +16,7 @@
 #include "hard_sphere/wall_contacts.hpp"
 #include "modify.h"
 #include "neighbor.h"
+#include "script/script.hpp"
 #include "update.h"
 
 namespace interphase::hard_sphere {
@@ -96,19 +97,9 @@ void FixTdhs::init()
         }
     smallest_radius_ = -shared_max(-smallest);
     largest_radius_ = shared_max(largest);
+    script::sort_by_default(*lmp, 4 * largest_radius_);
     // ghosts as far away as a pair may be that meets within one step
-    sort_by_default();
     comm->cutghostuser = std::max(comm->cutghostuser, 4 * largest_radius_ + neighbor->skin);
-}
-
-void FixTdhs::sort_by_default()
-{
-    // LIGGGHTS sorts particles every 1000 steps if the script says nothing, and takes the bins' width from a pair style
-    constexpr int liggghts_default = 1000;
-    if (atom->sortfreq != liggghts_default) return;
-    std::string words[] = {"sort", std::to_string(liggghts_default), std::to_string(4 * largest_radius_)};
-    char* arguments[] = {words[0].data(), words[1].data(), words[2].data()};
-    atom->modify_params(3, arguments);
 }
 
 void FixTdhs::setup(int)

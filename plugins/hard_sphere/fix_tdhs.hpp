@@ -59,7 +59,6 @@ private:
     void read_arguments(int narg, char** arg);
     void refuse_company();
     Materials read_materials();
-    void sort_by_default();
     void collect_walls();
     void ask_gravity();
     void add_forces();

@@ -6,10 +6,10 @@
 
 #include "atom.h"
 #include "error.h"
-#include "fix_property_global.h"
 #include "force.h"
 #include "hard_sphere/fix_tdhs.hpp"
 #include "modify.h"
+#include "script/script.hpp"
 #include "update.h"
 
 namespace interphase::hard_sphere {
@@ -70,13 +70,9 @@ void FixTdhs::choose_effort()
 
 void FixTdhs::refuse_company()
 {
+    script::refuse_other_integrators(*lmp, *this);
     for (int k = 0; k < modify->nfix; ++k) {
         const LAMMPS_NS::Fix& other = *modify->fix[k];
-        if (&other == this) continue;
-        if (other.time_integrate)
-            error->all(FLERR, (std::string("Fix tdhs moves the particles itself, but fix ") + other.id + " (" +
-                               other.style + ") does, too. Remove one of them")
-                                  .c_str());
         if (std::string(other.style).rfind("wall/gran", 0) == 0)
             error->all(FLERR,
                        (std::string("Fix ") + other.id + " (" + other.style +
@@ -92,26 +88,10 @@ void FixTdhs::refuse_company()
 
 Materials FixTdhs::read_materials()
 {
-    const int types = atom->ntypes;
-    Materials materials(types);
+    Materials materials(atom->ntypes);
     const auto read = [&](const char* name, double ContactLaw::*member, double most) {
-        Fix* fix = modify->find_fix_property(name, "property/global", "peratomtypepair", types, types, style, false);
-        if (!fix)
-            error->all(FLERR, ("Fix tdhs: the script does not say the " + std::string(name) +
-                               " of the materials; give `fix ID all property/global " + name + " peratomtypepair " +
-                               std::to_string(types) + " ...`, " + std::to_string(types * types) + " numbers")
-                                  .c_str());
-        const double* const* values = static_cast<LAMMPS_NS::FixPropertyGlobal*>(fix)->get_array();
-        for (int a = 0; a < types; ++a)
-            for (int b = 0; b < types; ++b) {
-                if (!(values[a][b] >= 0 && values[a][b] <= most))
-                    error->all(FLERR,
-                               ("Fix tdhs: fix property/global " + std::string(name) + " is " +
-                                std::to_string(values[a][b]) + " between types " + std::to_string(a + 1) + " and " +
-                                std::to_string(b + 1) + "; give " + (most < 2 ? "0 to 1" : "0 or more"))
-                                   .c_str());
-                materials.between(a, b).*member = values[a][b];
-            }
+        script::read_between_types(*lmp, *this, name, most,
+                                   [&](int a, int b, double value) { materials.between(a, b).*member = value; });
     };
     read("coefficientRestitution", &ContactLaw::restitution, 1);
     read("tangentialRestitution", &ContactLaw::tangential_restitution, 1);

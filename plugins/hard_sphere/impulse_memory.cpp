@@ -15,7 +15,7 @@ constexpr int most_packed = 200;
 void ImpulseMemory::forget()
 {
     std::fill(first_.begin(), first_.end(), 0);
-    count_ = 1;
+    entries_.resize(1);
 }
 
 int ImpulseMemory::pack(int particle, double* buffer) const

@@ -23,17 +23,10 @@ public:
     /// The entry under `partner` in the list that starts with `first`; 0 where the particle did not touch it.
     int find(int first, int partner) const
     {
-        const Remembered* entries = entries_.data();
-        // Most lists are short, and no processor foresees how short: the end of a list leads back to the end.
-        constexpr int usual = 3;
-        int k = first, found = 0;
-        for (int step = 0; step < usual; ++step) {
-            found = entries[k].partner == partner ? k : found;
-            k = entries[k].next;
-        }
-        for (; k != 0 && found == 0; k = entries[k].next)
-            if (entries[k].partner == partner) found = k;
-        return found;
+        int k = first;
+        while (k != 0 && entry(k).partner != partner)
+            k = entry(k).next;
+        return k;
     }
 
     /// Entry 0 has no partner and no impulse.
@@ -45,15 +38,12 @@ public:
     /// Of all particles.
     void forget();
 
-    /// `worth_it`: false leaves all as it is, and costs no guess of the processor's.
-    void add(int particle, Remembered entry, bool worth_it = true)
+    void add(int particle, Remembered entry)
     {
-        if (count_ == entries_.size()) entries_.resize(2 * count_);
         int& first = first_[static_cast<std::size_t>(particle)];
         entry.next = first;
-        entries_[count_] = entry;
-        first = worth_it ? static_cast<int>(count_) : first;
-        count_ += worth_it;
+        first = static_cast<int>(entries_.size());
+        entries_.push_back(entry);
     }
 
     void grow(std::size_t particles) { first_.resize(particles, 0); }
@@ -66,8 +56,7 @@ public:
 
 private:
     std::vector<int> first_;
-    std::vector<Remembered> entries_{1024};  ///< the first one ends all lists
-    std::size_t count_ = 1;
+    std::vector<Remembered> entries_{1};  ///< the first one stands for none
 };
 
 }  // namespace interphase::hard_sphere

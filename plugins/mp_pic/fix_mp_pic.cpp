@@ -14,6 +14,8 @@
 #include "modify.h"
 #include "mp_pic/fix_wall_mp_pic.hpp"
 #include "mp_pic/velocity_limiter.hpp"
+#include "neighbor.h"
+#include "script/script.hpp"
 #include "update.h"
 
 namespace interphase::mp_pic {
@@ -58,7 +60,7 @@ void FixMpPic::init()
 {
     refuse_company();
     read_restitution();
-    sort_by_default();
+    script::sort_by_default(*lmp, neighbor->skin);
 }
 
 void FixMpPic::setup(int)

@@ -56,7 +56,6 @@ private:
     void read_arguments(int narg, char** arg);
     void refuse_company() const;
     void read_restitution();
-    void sort_by_default();
     void kick(int i, double dt);
     Vector take_stress(int i);
     void move(int i);

@@ -7,11 +7,10 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
-#include "fix_property_global.h"
 #include "force.h"
 #include "modify.h"
 #include "mp_pic/fix_mp_pic.hpp"
-#include "neighbor.h"
+#include "script/script.hpp"
 
 namespace interphase::mp_pic {
 
@@ -123,13 +122,9 @@ void FixMpPic::read_arguments(int narg, char** arg)
 
 void FixMpPic::refuse_company() const
 {
+    script::refuse_other_integrators(*lmp, *this);
     for (int k = 0; k < modify->nfix; ++k) {
         const LAMMPS_NS::Fix& other = *modify->fix[k];
-        if (&other == this) continue;
-        if (other.time_integrate)
-            error->all(FLERR, (std::string("Fix mp_pic moves the particles itself, but fix ") + other.id + " (" +
-                               other.style + ") does, too. Remove one of them")
-                                  .c_str());
         const std::string style = other.style;
         if (style.rfind("wall/", 0) == 0 && style != "wall/mp_pic" && style.rfind("wall/reg", 0) != 0)
             error->all(FLERR, (std::string("Fix ") + other.id + " (" + other.style +
@@ -145,44 +140,18 @@ void FixMpPic::refuse_company() const
 
 void FixMpPic::read_restitution()
 {
-    const int types = atom->ntypes;
-    const auto read = [&](const char* name, const auto& take) {
-        Fix* fix = modify->find_fix_property(name, "property/global", "peratomtypepair", types, types, style, false);
-        if (!fix)
-            error->all(FLERR, ("Fix mp_pic: the script does not say the " + std::string(name) +
-                               " of the materials; give `fix ID all property/global " + name + " peratomtypepair " +
-                               std::to_string(types) + " ...`, " + std::to_string(types * types) + " numbers")
-                                  .c_str());
-        const double* const* values = static_cast<LAMMPS_NS::FixPropertyGlobal*>(fix)->get_array();
-        for (int a = 0; a < types; ++a)
-            for (int b = 0; b < types; ++b) {
-                if (!(values[a][b] >= 0 && values[a][b] <= 1))
-                    error->all(FLERR, ("Fix mp_pic: fix property/global " + std::string(name) + " is " +
-                                       std::to_string(values[a][b]) + " between types " + std::to_string(a + 1) +
-                                       " and " + std::to_string(b + 1) + "; give 0 to 1")
-                                          .c_str());
-                take(static_cast<std::size_t>(a), static_cast<std::size_t>(b), values[a][b]);
-            }
-    };
-    const auto n = static_cast<std::size_t>(types);
+    const auto n = static_cast<std::size_t>(atom->ntypes);
     restitution_.assign(n, 0.0);
     wall_laws_.assign(n, std::vector<WallLaw>(n));
-    read("coefficientRestitution", [&](std::size_t a, std::size_t b, double e) {
-        wall_laws_[a][b].normal_restitution = e;
-        if (a == b) restitution_[a] = e;
+    const auto law = [&](int a, int b) -> WallLaw& {
+        return wall_laws_[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
+    };
+    script::read_between_types(*lmp, *this, "coefficientRestitution", 1, [&](int a, int b, double e) {
+        law(a, b).normal_restitution = e;
+        if (a == b) restitution_[static_cast<std::size_t>(a)] = e;
     });
-    read("tangentialRestitution",
-         [&](std::size_t a, std::size_t b, double e) { wall_laws_[a][b].tangential_restitution = e; });
-}
-
-void FixMpPic::sort_by_default()
-{
-    // LIGGGHTS sorts particles every 1000 steps if the script says nothing, and takes the bins' width from a pair style
-    constexpr int liggghts_default = 1000;
-    if (atom->sortfreq != liggghts_default) return;
-    std::string words[] = {"sort", std::to_string(liggghts_default), std::to_string(neighbor->skin)};
-    char* arguments[] = {words[0].data(), words[1].data(), words[2].data()};
-    atom->modify_params(3, arguments);
+    script::read_between_types(*lmp, *this, "tangentialRestitution", 1,
+                               [&](int a, int b, double e) { law(a, b).tangential_restitution = e; });
 }
 
 }  // namespace interphase::mp_pic

@@ -6,16 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "base/user_error.hpp"
+#include "support/world.hpp"
 
 namespace {
 
 using namespace interphase;
-
-const Communicator& world()
-{
-    static const Communicator comm;
-    return comm;
-}
+using test::world;
 
 /// What this rank threw; empty where it did not.
 std::string message_of(const std::optional<std::string>& problem)

@@ -9,17 +9,13 @@
 #include "exchange/home_search.hpp"
 #include "exchange/visits.hpp"
 #include "support/box_mesh.hpp"
+#include "support/world.hpp"
 
 namespace {
 
 using namespace interphase;
 using test::BoxMesh;
-
-const Communicator& world()
-{
-    static const Communicator comm;
-    return comm;
-}
+using test::world;
 
 /// 3 x 4 x 60 cells in slabs along z: higher than the longest walk.
 BoxMesh tall_box()

@@ -14,22 +14,18 @@
 
 #include "base/user_error.hpp"
 #include "support/box_mesh.hpp"
+#include "support/world.hpp"
 
 namespace {
 
 using namespace interphase;
 using test::BoxMesh;
+using test::world;
 
 /// Sums of some hundred terms of order one, in different orders.
 constexpr double rounding = 1e-13;
 
 constexpr double no_limit = 1e9;
-
-const Communicator& world()
-{
-    static const Communicator comm;
-    return comm;
-}
 
 const Communicator& alone()
 {

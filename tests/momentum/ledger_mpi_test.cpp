@@ -2,18 +2,14 @@
 //
 // The books balance where impulses do, and show by how much where they do not.
 #include "momentum/ledger.hpp"
+#include "support/world.hpp"
 
 #include <gtest/gtest.h>
 
 namespace {
 
 using namespace interphase;
-
-const Communicator& world()
-{
-    static const Communicator comm;
-    return comm;
-}
+using test::world;
 
 /// One rank's part; the gas gives on the last rank what particles take on the first.
 Transactions step(const Vector& given, const Vector& taken, const Vector& pending)

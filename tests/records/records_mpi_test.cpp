@@ -13,16 +13,12 @@
 #include "records/particle_snapshots.hpp"
 #include "records/results.hpp"
 #include "support/scratch_folder.hpp"
+#include "support/world.hpp"
 
 namespace {
 
 using namespace interphase;
-
-const Communicator& world()
-{
-    static const Communicator comm;
-    return comm;
-}
+using test::world;
 
 class OpenFile {
 public:

@@ -10,18 +10,14 @@
 #include <random>
 
 #include "support/scene.hpp"
+#include "support/world.hpp"
 
 namespace {
 
 using namespace interphase;
 using test::Particle;
 using test::Scene;
-
-const Communicator& world()
-{
-    static const Communicator comm;
-    return comm;
-}
+using test::world;
 
 const Communicator& alone()
 {

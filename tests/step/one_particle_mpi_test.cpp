@@ -9,18 +9,14 @@
 
 #include "drag/drag_law.hpp"
 #include "support/scene.hpp"
+#include "support/world.hpp"
 
 namespace {
 
 using namespace interphase;
 using test::Particle;
 using test::Scene;
-
-const Communicator& world()
-{
-    static const Communicator comm;
-    return comm;
-}
+using test::world;
 
 constexpr double gas_density = 1.2, viscosity = 1.8e-5, particle_density = 1131, g = 9.81;
 

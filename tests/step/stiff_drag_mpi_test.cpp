@@ -10,18 +10,14 @@
 #include <vector>
 
 #include "support/scene.hpp"
+#include "support/world.hpp"
 
 namespace {
 
 using namespace interphase;
 using test::Particle;
 using test::Scene;
-
-const Communicator& world()
-{
-    static const Communicator comm;
-    return comm;
-}
+using test::world;
 
 /// Of the books, relative to what was exchanged: round-off of some thousand steps.
 constexpr double balance = 1e-12;

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include "fix.h"
+
+/// What integrators that bring their own collisions take from the script, and what they do not bear in it. `fix` is the
+/// integrator: messages name its style. All are collective and end the run where something is wrong.
+namespace interphase::script {
+
+/// Nothing else moves the particles.
+void refuse_other_integrators(LAMMPS_NS::LAMMPS& lmp, const LAMMPS_NS::Fix& fix);
+
+/// Reads `fix ID all property/global NAME peratomtypepair ...`, a number from 0 to `most` for each pair of types:
+/// `take` gets the two types, from 0, and the number.
+void read_between_types(LAMMPS_NS::LAMMPS& lmp, const LAMMPS_NS::Fix& fix, const char* name, double most,
+                        const std::function<void(int, int, double)>& take);
+
+/// LIGGGHTS sorts particles every 1000 steps if the script says nothing, and takes the bins' width from a pair style.
+/// Where there is none it is `width` [m].
+void sort_by_default(LAMMPS_NS::LAMMPS& lmp, double width);
+
+}  // namespace interphase::script
