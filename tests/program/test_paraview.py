@@ -63,8 +63,11 @@ class OpenedInParaView(support.ProgramTest):
         support.write(done.path("case.foam"), "")
         picture = done.path("paraview.png")
         viewer = subprocess.run(
-            # a display of its own: looking for a free one (-a) was seen to take one that was just closing
-            ["xvfb-run", "--server-num", str(100 + os.getpid() % 10000 + ranks), "-s", "-screen 0 640x800x24", "/usr/bin/python3", "-c", READ_AND_RENDER, folder, picture,
+            # a display of its own: looking for a free one (-a) was seen to take one that was just closing;
+            # -noreset: ParaView connects, leaves and connects again, and a server that starts afresh between the two
+            # refuses the second (17 of 50 viewers failed without it, none of 50 with it)
+            ["xvfb-run", "--server-num", str(100 + os.getpid() % 10000 + ranks),
+             "-s", "-screen 0 640x800x24 -noreset", "/usr/bin/python3", "-c", READ_AND_RENDER, folder, picture,
              "decomposed" if ranks > 1 else "whole"],
             env=support.environment(LIBGL_ALWAYS_SOFTWARE="1"), capture_output=True, text=True, timeout=300,
         )
