@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 900
-"""The cases with a known answer: a sphere settles as its equation of motion says, a packing's pressure drop is the
+"""The cases with a known answer, and that goldschmidt runs with every method: a sphere settles as its equation of motion says, a packing's pressure drop is the
 drag law's. The references are written down here a second time, from the papers, so that they test coupler/drag too."""
 
 import math
@@ -81,6 +81,20 @@ class PackedBed(support.ProgramTest):
         # sweep compares each velocity with its own copy of the law, and ends with 0 when all lie within 1 %
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertIn("1.05", done.stdout)  # beside the measured velocity of minimum fluidization
+
+
+class Goldschmidt(support.ProgramTest):
+    """Smoke, but for the books: the bed of the tutorials starts with every method, and momentum and solid volume balance."""
+
+    def test_every_method(self):
+        for method, weight in (("DEM", 1), ("TDHS", 1), ("CGPM", 8), ("CGHS", 8), ("MPPIC", 1)):
+            with self.subTest(method=method):
+                folder = self.prepared("goldschmidt", method, method=method, weight=weight, until=0.002)
+                with self.run_case(folder).results() as file:
+                    self.assertEqual(len(file["/ledger/time"]), 4)  # gas steps of 0.5 ms
+                    for balance in ("momentum_residual", "volume_residual"):
+                        # round-off of sums over 25,000 particles
+                        self.assertLess(file["/ledger"][balance][:].max(), 1e-12, balance)
 
 
 if __name__ == "__main__":
