@@ -57,6 +57,14 @@ class Start(support.ProgramTest):
         self.assertAlmostEqual(found[:, 2].mean(), 0.1485, delta=0.003)  # within a third of a layer of parcels
 
 
+    def test_what_cannot_be_prepared_is_refused(self):
+        for key, value, words in (("reach", 1.5, "'reach' in parameters must be between 0 and 1.*, is 1.5"),
+                                  ("particleCount", 50000, "0.6 m high, the vessel is 0.45 m"),
+                                  ("initialSpacing", 2.4e-3, "overlap")):
+            with self.subTest(key=key), self.assertRaisesRegex(AssertionError, words):
+                self.prepared("goldschmidt", name=key, **{key: value})
+
+
 class Measures(support.ProgramTest):
     def fields(self, layers, across):
         """A file `p` that falls from 400 at the bottom by 1000 per m, as OpenFOAM writes it."""

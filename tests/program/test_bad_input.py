@@ -171,7 +171,7 @@ class Scene(SpoiledCase):
 
     def test_particle_of_infinite_velocity(self):
         def spoil(folder):
-            self.edit(folder, SCRIPT, r"^(include .*)$", "include dem/CGPM.liggghts\nvelocity all set 0 0 1e400")
+            self.edit(folder, SCRIPT, r"^include\s+dem/\$\{method\}.*$", "include dem/CGPM.liggghts\nvelocity all set 0 0 1e400")
 
         self.refused(spoil, r"(is not finite|LIGGGHTS stopped)")
 

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the `prepare` of a case needs: the numbers of its file `parameters`, checked, and tools/bed.
+
+Every function ends the program with a message that says what is wrong where a number is missing or cannot be.
+"""
+
+import math
+import re
+import subprocess
+import sys
+
+PARAMETERS = "parameters"
+# Methods that track every particle, and their counterparts for parcels
+PARCELS_INSTEAD = {"DEM": "CGPM", "TDHS": "CGHS"}
+
+
+def values():
+    """{name: text} of the file `parameters` in the current folder."""
+    with open(PARAMETERS, encoding="utf-8") as file:
+        text = re.sub(r"//.*|/\*.*?\*/", "", file.read())
+    return dict(re.findall(r"(\w+)\s+([^;\s]+)\s*;", text))
+
+
+def number(value, key, holds=math.isfinite, demand="a finite number"):
+    """The number that `value` has at `key`, which must satisfy `holds`; `demand` says so in words."""
+    try:
+        found = float(value[key])
+    except KeyError:
+        sys.exit(f"prepare: '{key}' is missing in parameters")
+    except ValueError:
+        sys.exit(f"prepare: '{key}' in parameters is no number: '{value[key]}'")
+    if not holds(found):
+        sys.exit(f"prepare: '{key}' in parameters must be {demand}, is {value[key]}")
+    return found
+
+
+def positive(value, key):
+    return number(value, key, lambda x: 0 < x < math.inf, "positive")
+
+
+def tracked_weight(value):
+    """Real particles per tracked one, which must go with the method."""
+    weight = number(value, "weight", lambda w: 1 <= w < math.inf, "1 or more: it counts real particles per tracked one")
+    method = value.get("method")
+    if method in PARCELS_INSTEAD and weight != 1:
+        sys.exit(
+            f"prepare: weight {weight:g} in parameters, but method {method} tracks every particle; "
+            f"set weight 1 or method {PARCELS_INSTEAD[method]}"
+        )
+    return weight
+
+
+def tracked_count(value, weight):
+    """How many are tracked of `particleCount` real particles."""
+    real = number(value, "particleCount", lambda n: 1 <= n < math.inf, "1 or more")
+    count = round(real / weight)
+    if count < 1 or abs(count * weight - real) > 1e-3 * real:
+        sys.exit(
+            f"prepare: {count} parcels of weight {weight:g} stand for {count * weight:g} particles, "
+            f"not for {real:g} within 0.1 %; change weight or particleCount in parameters"
+        )
+    return count
+
+
+def write_bed(*arguments):
+    """dem/bed.data by tools/bed; ends the program with its exit code. Numbers are handed over with all their digits."""
+    words = [repr(word) if isinstance(word, float) else str(word) for word in arguments]
+    sys.exit(subprocess.run(["bed", *words, "--out", "dem/bed.data"]).returncode)
