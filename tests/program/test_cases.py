@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 900
 """The cases with a known answer: a sphere settles as its equation of motion says, a lattice falls through rising gas as
-its own says, a packing's pressure drop is the drag law's. The references are written down here a second time, from the papers, so that they test coupler/drag too."""
+its own says, a packing's pressure drop is the drag law's. The references are written down here a second time, from the
+papers, so that they test coupler/drag too."""
 
 import math
 import os
