@@ -204,10 +204,12 @@ void CoupledRun::run()
 double CoupledRun::wanted_gas_step() const
 {
     if (!case_.adjusts_gas_step() || !gas_) return case_.gas_step();
+    const double most = std::min(case_.largest_gas_step(), coupling_->longest_step());
     const double courant = gas_->courant_number();
-    if (courant <= 0) return std::min(gas_step_, case_.largest_gas_step());
-    // grow gently, shrink at once
-    return std::min({gas_step_ * case_.largest_courant_number() / courant, 1.2 * gas_step_, case_.largest_gas_step()});
+    if (courant <= 0) return std::min(gas_step_, most);
+    // grow gently, though by a whole solid step, or it never would; shrink at once
+    const double grown = std::max(1.2 * gas_step_, gas_step_ + clock_.solid_step());
+    return std::min({gas_step_ * case_.largest_courant_number() / courant, grown, most});
 }
 
 void CoupledRun::step()

@@ -41,6 +41,8 @@ public:
     const Ledger& ledger() const { return ledger_; }
     const Scalars& voidage() const { return voidage_; }
     bool has_solid_stress() const { return stress_.has_value(); }
+    /// What the solid stress bore in the last gas step (eq. 28 of the paper), the same on all ranks [s].
+    double longest_step() const { return too_long_.longest; }
 
     /// Collective.
     Interventions interventions() const;
@@ -103,7 +105,7 @@ private:
     long outside_ = 0;
     long relieved_ = 0;
     long beyond_range_ = 0;
-    StepTooLong too_long_;
+    StepTooLong too_long_;  ///< counts of the whole run; the longest step as the last one saw it
     long particle_count_ = -1;
 };
 

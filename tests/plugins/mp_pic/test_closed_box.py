@@ -86,6 +86,24 @@ class ClosedBox(support.ProgramTest):
             self.assertLess(file["/ledger/volume_residual"][:].max(), 1e-12)
             self.assertIn("cells_beyond_close_packing", file["/ledger"])
 
+    def test_an_adjusted_step_heeds_the_parcels(self):
+        """Eq. 28: where the gas step may change, none crosses more than its share of a cell."""
+        speed, share, longest = 2.0, 0.25, 4e-3
+        position, velocity = crowd(speed=0.0, counts=(4, 4, 8))
+        velocity[5] = (0, 0, speed)
+        box = boxes.Box(SIZE, CELLS, DIAMETER, DENSITY, position, velocity, fluid=THIN, e=1.0, en=1.0, step=2.5e-4, end=0.05,
+                        particles="solidStep 2.5e-4;", integrator=f"fix move all mp_pic courant {share}\n")  # fmt: skip
+        folder = box.write(os.path.join(self.root, "adjusted"))
+        with open(os.path.join(folder, "system", "controlDict"), "a") as file:
+            file.write(f"adjustTimeStep yes; maxCo 1000; maxDeltaT {longest};\n")
+        done = self.run_case(folder)
+        with done.results() as file:
+            steps = numpy.diff(file["/ledger/time"][:])
+            self.assertEqual(file["/ledger/step_crosses_cells"][-1], 0)
+        allowed = share * SIZE[2] / CELLS[2] / speed
+        print(f"eq. 28 allows {allowed} s of {longest} s; steps grew from {steps[0]:.3g} to {steps.max():.3g} s")
+        self.assertAlmostEqual(steps.max(), allowed, delta=1e-9)  # a whole number of solid steps, so it is met
+
     def test_tracers_fly_as_dem_s_do(self):
         """Stress off, W = 1: the same trajectory as nve/sphere's, through gas that drags and gravity."""
         draw = numpy.random.default_rng(4)
