@@ -29,21 +29,11 @@ AIR = (1.2, 1.8e-5)
 FREE = "fix move all nve/sphere\n"
 
 
-def weighted(weights, default=1):
-    """Lines of the script that give particle i + 1 the weight weights[i], as the README has them."""
-    text = f"fix weights all property/atom weight scalar yes no no {default!r}\nrun 0\n"
-    for weight in sorted(set(weights)):
-        if weight != default:
-            ids = " ".join(str(i + 1) for i, w in enumerate(weights) if w == weight)
-            text += f"group w{len(text)} id {ids}\nset group w{len(text)} property/atom weight {weight!r}\n"
-    return text
-
-
 def box(position, weights, velocity=None, **how):
     """Parcels of real particles of one diameter."""
     weights = numpy.asarray(weights, float)
     how = {"method": "CGPM", "integrator": FREE, "walls": "", "particles": "solidStep 1e-4;", "gravity": 9.81, "fluid": AIR,
-           "more": weighted(weights.tolist()), **how}  # fmt: skip
+           "more": boxes.weighted(weights.tolist()), **how}  # fmt: skip
     return boxes.Box(SIZE, CELLS, DIAMETER * weights ** (1 / 3), DENSITY, position, velocity, **how)
 
 
@@ -134,7 +124,7 @@ class Restart(support.ProgramTest):
         script = support.read(folder, "dem/in.liggghts")
         for name, value in (("first", script + "timestep 1e-4\nrun 10\nwrite_restart dem/bed.restart\n"),
                             ("in", script.replace("read_data dem/parcels.data", "read_restart dem/bed.restart")
-                             .replace(scene.more, weighted([1])))):  # fmt: skip
+                             .replace(scene.more, boxes.weighted([1])))):  # fmt: skip
             support.write(os.path.join(folder, f"dem/{name}.liggghts"), value)
         done = subprocess.run(["liggghts", "-in", "dem/first.liggghts"], cwd=folder, env=support.environment(),
                               capture_output=True, text=True, timeout=60)  # fmt: skip
@@ -148,7 +138,7 @@ class Insertion(support.ProgramTest):
 
     def insertion(self, weight):
         return (
-            weighted([1])
+            boxes.weighted([1])
             + f"fix one all particletemplate/sphere 15485863 atom_type 1 density constant {DENSITY!r} radius constant {DIAMETER!r}\n"
             + "fix all_of all particledistribution/discrete 32452843 1 one 1.0\n"
             + "region above block 0.01 0.05 0.01 0.02 0.15 0.2 units box\n"
@@ -210,15 +200,15 @@ class BadInput(support.ProgramTest):
         self.refused("would not go into restart files", "scalar yes no no", more="fix w all property/atom weight scalar no no no 1\n")
 
     def test_methods_that_track_real_particles(self):
-        given = weighted([1, 8])
+        given = boxes.weighted([1, 8])
         self.refused("weights up to 8, and method DEM tracks real particles", "fix property/atom weight", "CGPM", method="DEM", more=given)
 
     def test_against_the_weight_of_the_case(self):
         self.refused("the case says `weight 27;`, and the script gives its particles weights 1 to 8", "couplingDict", r"\$\{weight\}",
-                     weight=27, more=weighted([1, 8]))  # fmt: skip
+                     weight=27, more=boxes.weighted([1, 8]))  # fmt: skip
         # the case's number for those that the script gives no other
         scene = box([[0.02, 0.015, 0.03], [0.04, 0.015, 0.2]], [27, 8], weight=27, end=1e-3,
-                    more=weighted([27, 8], default=27).replace("no no 27", "no no ${weight}"))  # fmt: skip
+                    more=boxes.weighted([27, 8], default=27).replace("no no 27", "no no ${weight}"))  # fmt: skip
         done = self.run_case(scene.write(os.path.join(self.root, "agreed")))
         numpy.testing.assert_array_equal(done.snapshots()[0.0]["weight"], [27, 8])
 

@@ -103,6 +103,17 @@ class Box:
         return folder
 
 
+def weighted(weights, default=1):
+    """Lines of a script that give particle i + 1 the weight weights[i], as the README has them."""
+    text = f"fix weights all property/atom weight scalar yes no no {default!r}\nrun 0\n"
+    for number, weight in enumerate(sorted(set(weights) - {default})):
+        ids = [str(i + 1) for i, w in enumerate(weights) if w == weight]
+        for start in range(0, len(ids), 200):  # a line of LIGGGHTS ends somewhere
+            text += f"group w{number} id {' '.join(ids[start:start + 200])}\n"
+        text += f"set group w{number} property/atom weight {weight!r}\n"
+    return text
+
+
 def lattice(size, counts):
     """counts[0] x counts[1] x counts[2] places, evenly in the box."""
     axes = [(numpy.arange(n) + 0.5) * length / n for n, length in zip(counts, size)]
