@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 600
 # processors: 4
-"""Parcels in a closed box: no stress where they are spread evenly, of one weight or of several, books that close, tracers that fly as DEM's do, the same on any number
-of ranks, and bad input refused.
+"""Parcels in a closed box: no stress where they are spread evenly, of one weight or of several, books that close, tracers that
+fly as DEM's do, the same on any number of ranks, and bad input refused.
 """
 
 import os
