@@ -140,8 +140,9 @@ class BadInput(support.ProgramTest):
         box = boxes.Box(SIZE, CELLS, how.pop("diameter", DIAMETER), DENSITY, position, velocity, end=2e-3, gas=how.pop("gas", FROZEN), **how)
         done = support.execute(box.write(os.path.join(self.root, f"box{len(os.listdir(self.root))}")))
         self.assertEqual(done.code == 0, good, done.text[-3000:])
-        text = " ".join((done.text + (support.read(done.path("log.liggghts")) if os.path.exists(done.path("log.liggghts")) else "")).split())
-        self.assertRegex(text, expected)
+        log = done.path("dem", "log.liggghts")
+        done.told = " ".join((done.text + (support.read(log) if os.path.exists(log) else "")).split())
+        self.assertRegex(done.told, expected)
         return done
 
     def test_words_of_the_fix(self):
@@ -162,6 +163,18 @@ class BadInput(support.ProgramTest):
         ):
             with self.subTest(words):
                 self.ended(expected, integrator=f"fix move all mp_pic {words}\n")
+
+    def test_exponents_beyond_what_is_published(self):
+        """... run, with a warning in LIGGGHTS's log; those within 2 to 5, both ends included, without."""
+        for exponent in ("1.9", "5.1", "12"):
+            with self.subTest(exponent):
+                self.ended(rf"WARNING: Fix mp_pic: the exponent of the stress is {exponent}[.0]*, outside the published range of 2 to 5",
+                           good=True, integrator=f"fix move all mp_pic stress harris_crighton 10 {exponent}\n")  # fmt: skip
+        for words in ("stress harris_crighton 10 2", "stress harris_crighton 10 5", "stress lun 1000 0.01 0.9", "stress off", ""):
+            with self.subTest(words):
+                done = self.ended("Reached t = 0.002 s", good=True, integrator=f"fix move all mp_pic {words}\n")
+                self.assertIn("fix move all mp_pic", done.told)  # the log is there
+                self.assertNotIn("published", done.told)
 
     def test_restitution(self):
         self.ended(r"coefficientRestitution is 1\.5", e=1.5)
