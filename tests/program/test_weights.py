@@ -107,6 +107,19 @@ class WithTheGas(support.ProgramTest):
             # the gas solver's tolerance, 1e-8 of the pressure's residual, and sums in another order
             self.assertLess(off, 1e-6)
 
+    def test_books_close_with_the_plug_ins(self):
+        """Parcels that a stress guides, and hard spheres that collide (each of its own mass and size, whatever its weight)."""
+        place, weights, velocity = crowd()
+        friction = "fix mu all property/global coefficientFriction peratomtypepair 2 0.3 0.3 0.3 0.3\n"
+        for method, plugin, style in (("MPPIC", "mp_pic", "mp_pic"), ("CGHS", "hard_sphere", "tdhs")):
+            scene = box(place, weights, 10 * velocity, method=method, plugins=plugin, integrator=f"fix move all {style}\n",
+                        walls=boxes.PLANES.replace("mp_pic", style), more=friction + boxes.weighted(weights.tolist()),
+                        step=5e-4, end=0.05)  # fmt: skip
+            with self.subTest(method), self.run_case(scene.write(os.path.join(self.root, method))).results() as file:
+                self.assertLess(file["/ledger/momentum_residual"][:].max(), 1e-12)
+                self.assertLess(file["/ledger/volume_residual"][:].max(), 1e-12)
+                self.assertEqual(float(file["/meta"].attrs["real_particles"]), weights.sum())
+
     def test_real_particles_of_one_weight(self):
         done = self.run_case(box([[0.03, 0.015, 0.2]] * 1, [8], more="", weight=8, end=1e-3).write(os.path.join(self.root, "one")))
         with done.results() as file:

@@ -38,7 +38,7 @@ class Box:
 
     def __init__(self, size, cells, diameter, density, position, velocity=None, weight=1, gravity=0.0, fluid=(1.2, 1.8e-5),
                  step=1e-3, end=1e-2, e=0.9, en=0.9, et=1.0, integrator="fix move all mp_pic\n", walls=PLANES, gas="model pimple; coupling twoWay;",
-                 particles="", mapping="type kernel;", write_every=None, sides="slip", method="MPPIC", law="BVK", more=""):  # fmt: skip
+                 particles="", mapping="type kernel;", write_every=None, sides="slip", method="MPPIC", law="BVK", more="", plugins="mp_pic"):  # fmt: skip
         self.__dict__.update(locals())
         self.position = numpy.atleast_2d(numpy.asarray(position, float))
         self.diameter = numpy.broadcast_to(numpy.asarray(diameter, float), len(self.position))
@@ -83,7 +83,7 @@ class Box:
         put("system/decomposeParDict", "dictionary",
             f"numberOfSubdomains {ranks}; method simple; simpleCoeffs {{ n (1 1 {ranks}); delta 0.001; }}\n")  # fmt: skip
         put("system/couplingDict", "dictionary",
-            f'method {self.method}; weight {self.weight!r}; plugins (mp_pic);\nparticles {{ script "dem/in.liggghts"; {self.particles} }}\n'
+            f'method {self.method}; weight {self.weight!r}; plugins ({self.plugins});\nparticles {{ script "dem/in.liggghts"; {self.particles} }}\n'
             f"gas {{ {self.gas} }}\ndrag {{ law {self.law}; }}\nmapping {{ {self.mapping} }}\n"
             f"records {{ interval {self.write_every or self.end!r}; }}\n")  # fmt: skip
         put("constant/transportProperties", "dictionary",
