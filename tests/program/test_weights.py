@@ -165,7 +165,7 @@ class Insertion(support.ProgramTest):
         snapshots = done.snapshots()
         last = snapshots[max(snapshots)]
         numpy.testing.assert_array_equal(last["weight"], [1] + [8] * 20)
-        # nothing else may tell those of the template, diameter 2 d and weight 8, from particles of diameter d
+        numpy.testing.assert_allclose(last["diameter"], [DIAMETER] + [2 * DIAMETER] * 20, rtol=1e-12)
         with done.results() as file:
             self.assertLess(file["/ledger/momentum_residual"][:].max(), 1e-12)
 
@@ -208,6 +208,10 @@ class BadInput(support.ProgramTest):
         ):
             with self.subTest(line):
                 self.refused(other, where, "fix ID all property/atom weight scalar yes no no W", more=line + "\n")
+
+    def test_a_property_without_default(self):
+        self.refused("the property `weight` has no default", "fix w property/atom", "W: the default",
+                     more="fix w all property/atom weight scalar yes no no none\n")  # fmt: skip
 
     def test_a_property_that_restart_files_would_lose(self):
         self.refused("would not go into restart files", "scalar yes no no", more="fix w all property/atom weight scalar no no no 1\n")

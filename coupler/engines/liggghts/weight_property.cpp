@@ -39,6 +39,9 @@ const LAMMPS_NS::Fix* weight_property(LAMMPS_NS::LAMMPS& lmp, const std::string&
         const std::string where = script + ", fix " + fix.id + " " + fix.style;
         if (!is_number_of_each)
             throw UserError("the property `weight` is not one number of each particle", where, remedy);
+        if (!fix.create_attribute)
+            throw UserError("the property `weight` has no default: particles without another would get any number",
+                            where, remedy);
         if (!fix.restart_peratom)
             throw UserError(
                 "the property `weight` would not go into restart files: particles read from one would "
