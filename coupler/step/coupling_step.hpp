@@ -35,7 +35,7 @@ public:
                  Stopwatch& stopwatch);
 
     /// Advances gas and particles by `dt` = `substeps` solid steps. Throws a UserError on all ranks if a particle is
-    /// outside the mesh, a packing cannot be relieved or a value is not finite. Collective.
+    /// outside the mesh, a packing cannot be relieved, a value is not finite or a weight below 1. Collective.
     void advance(double dt, int substeps);
 
     const Ledger& ledger() const { return ledger_; }
