@@ -61,6 +61,8 @@ void with_width(int width, Body&& body)
             return body(std::integral_constant<std::size_t, 4>{});
         case 6:
             return body(std::integral_constant<std::size_t, 6>{});
+        case 10:
+            return body(std::integral_constant<std::size_t, 10>{});
         default:
             return body(static_cast<std::size_t>(width));
     }

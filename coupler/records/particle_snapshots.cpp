@@ -61,12 +61,13 @@ void ParticleSnapshots::write(double time, const ParticleRows& rows)
         write("angular_velocity", "rad/s", rows.angular_velocity, 3);
         write("force", "N", rows.force, 3);
         write("diameter", "m", rows.diameter, 1);
+        if (rows.weight) write("weight", "1", *rows.weight, 1);
     }
     ++count_;
-    if (comm_.is_master()) write_xdmf(all, time);
+    if (comm_.is_master()) write_xdmf(all, time, rows.weight.has_value());
 }
 
-void ParticleSnapshots::write_xdmf(std::size_t particles, double time)
+void ParticleSnapshots::write_xdmf(std::size_t particles, double time, bool with_weights)
 {
     const std::string group = group_name(count_ - 1);
     char stamp[64];
@@ -77,7 +78,9 @@ void ParticleSnapshots::write_xdmf(std::size_t particles, double time)
     for (const char* name : {"velocity", "angular_velocity", "force"})
         grids_ += std::string("<Attribute Name=\"") + name + "\" AttributeType=\"Vector\" Center=\"Node\">" +
                   item(group, name, particles, 3) + "</Attribute>\n";
-    for (const char* name : {"id", "diameter"})
+    std::vector<const char*> scalars{"id", "diameter"};
+    if (with_weights) scalars.push_back("weight");
+    for (const char* name : scalars)
         grids_ += std::string("<Attribute Name=\"") + name + "\" AttributeType=\"Scalar\" Center=\"Node\">" +
                   item(group, name, particles, 1) + "</Attribute>\n";
     grids_ += "</Grid>\n";

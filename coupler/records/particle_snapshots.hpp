@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,10 +10,11 @@
 namespace interphase {
 
 /// The particles of one rank at one time, as they are recorded: [n] ids, flat [n x 3] vectors, diameters of the tracked
-/// spheres [n]. SI units.
+/// spheres [n] and, where they differ (on all ranks or on none), their weights [n]. SI units.
 struct ParticleRows {
     std::vector<int> id;
     Scalars position, velocity, angular_velocity, force, diameter;
+    std::optional<Scalars> weight;
 };
 
 /// Writes particles.h5 (a group /snapshots/NNNNNN a time) and particles.xdmf, which ParaView opens. All ranks write
@@ -25,7 +27,7 @@ public:
     void write(double time, const ParticleRows& rows);
 
 private:
-    void write_xdmf(std::size_t particles, double time);
+    void write_xdmf(std::size_t particles, double time, bool with_weights);
 
     Communicator comm_;
     int count_ = 0;

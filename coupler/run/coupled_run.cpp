@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "base/text.hpp"
 #include "base/user_error.hpp"
+#include "step/particle_trouble.hpp"
 
 namespace interphase {
 
@@ -22,6 +24,24 @@ const char* gas_description(const Settings& settings)
             return "none";
     }
     return "";
+}
+
+/// "weight 8", or "weights 1 to 27".
+std::string described(const Population& of)
+{
+    return of.lowest_weight == of.highest_weight
+               ? "weight " + text(of.lowest_weight)
+               : "weights " + text(of.lowest_weight) + " to " + text(of.highest_weight);
+}
+
+/// "11875 of weight 8, for 95000 real ones of 0.003256 m".
+std::string numbers(const Population& of)
+{
+    char real[32];
+    std::snprintf(real, sizeof real, "%.10g", of.real);
+    const std::string smallest = text(of.smallest_diameter), largest = text(of.largest_diameter);
+    return std::to_string(of.tracked) + " of " + described(of) + ", for " + real + " real ones of " + smallest +
+           (smallest == largest ? "" : " to " + largest) + " m";
 }
 
 /// "hard_sphere (/path/libhard_sphere.so: tdhs, wall/tdhs)", or "none".
@@ -42,9 +62,14 @@ ParticleRows rows_of(const ParticleView& particles)
                       flat(particles.velocity),
                       flat(particles.angular_velocity),
                       flat(particles.force),
-                      Scalars(n)};
+                      Scalars(n),
+                      std::nullopt};
     for (std::size_t i = 0; i < n; ++i)
         rows.diameter[i] = 2 * particles.radius[static_cast<Eigen::Index>(i)];
+    if (!particles.weight.differ()) return rows;
+    rows.weight.emplace(n);
+    for (std::size_t i = 0; i < n; ++i)
+        (*rows.weight)[i] = particles.weight[i];
     return rows;
 }
 
@@ -56,6 +81,7 @@ CoupledRun::CoupledRun(int& argc, char**& argv)
     if (settings_.gas != GasModel::none) gas_ = case_.make_gas(settings_);
     solids_ = std::make_unique<LiggghtsSolids>(comm_, settings_);
     refuse_empty_scene();
+    check_weights();
     clock_ = choose_clock();
     gas_step_ = clock_.next(case_.gas_step(), 1e300).duration;
     check_scene();
@@ -135,6 +161,29 @@ void CoupledRun::refuse_empty_scene() const
         throw UserError("there are no particles", settings_.script, "create or read some in the script");
 }
 
+void CoupledRun::check_weights()
+{
+    const ParticleView particles = solids_->particles();
+    comm_.fail_together(particle_trouble(particles, comm_.rank()));
+    at_start_ = counted(comm_, particles);
+    if (!particles.weight.differ()) return;
+    const std::string where = settings_.script + ", fix property/atom weight", method = name_of(settings_.method);
+    if (!tracks_parcels(settings_.method) && at_start_.highest_weight > 1)
+        throw UserError("the script gives particles weights up to " + text(at_start_.highest_weight) + ", and method " +
+                            method + " tracks real particles",
+                        where,
+                        std::string("leave the property away, or take method ") +
+                            (settings_.method == Method::dem ? "CGPM" : "CGHS"));
+    bool used = settings_.weight == 1;
+    for (std::size_t i = 0; i < particles.size() && !used; ++i)
+        used = particles.weight[i] == settings_.weight;
+    if (!comm_.any(used))
+        throw UserError("the case says `weight " + text(settings_.weight) + ";`, and the script gives its particles " +
+                            described(at_start_),
+                        "system/couplingDict, and " + where,
+                        "set `weight 1;` where the script decides, or take ${weight} in it");
+}
+
 void CoupledRun::check_scene() const
 {
     if (!gas_ || settings_.mapping == MappingType::kernel) return;
@@ -151,12 +200,11 @@ void CoupledRun::check_scene() const
 
 void CoupledRun::describe_run()
 {
-    const long count = solids_->total_count();
     const std::optional<double> contact = solids_->contact_duration();
     report_.head({{"interphase", solids_->version() + ", OpenFOAM " + case_.version()},
                   {"case", case_.name()},
-                  {"method", name_of(settings_.method) + ", weight " + text(settings_.weight) + ", " +
-                                 std::to_string(count) + " tracked"},
+                  {"method", name_of(settings_.method)},
+                  {"particles", numbers(at_start_)},
                   {"plug-ins", described(solids_->plugins())},
                   {"gas", std::string(gas_description(settings_)) + (gas_ ? ", drag " + settings_.drag_law : "")},
                   {"steps", "gas " + text(gas_step_) + " s" + (case_.adjusts_gas_step() ? " at first" : "") +
@@ -168,9 +216,12 @@ void CoupledRun::describe_run()
     meta.describe("/meta", "case", case_.name());
     meta.describe("/meta", "method", name_of(settings_.method));
     meta.describe("/meta", "plugins", described(solids_->plugins()));
-    meta.describe("/meta", "weight", settings_.weight);
+    meta.describe("/meta", "weight", at_start_.mean_weight());
+    meta.describe("/meta", "lowest_weight", at_start_.lowest_weight);
+    meta.describe("/meta", "highest_weight", at_start_.highest_weight);
     meta.describe("/meta", "ranks", comm_.size());
-    meta.describe("/meta", "particles", static_cast<double>(count));
+    meta.describe("/meta", "particles", static_cast<double>(at_start_.tracked));
+    meta.describe("/meta", "real_particles", at_start_.real);
     meta.describe("/meta", "solid_step", clock_.solid_step());
     meta.describe("/meta", "gas_step", gas_step_);
     meta.describe("/meta", "drag_law", settings_.drag_law);
@@ -204,10 +255,12 @@ void CoupledRun::run()
 double CoupledRun::wanted_gas_step() const
 {
     if (!case_.adjusts_gas_step() || !gas_) return case_.gas_step();
+    const double most = std::min(case_.largest_gas_step(), coupling_->longest_step());
     const double courant = gas_->courant_number();
-    if (courant <= 0) return std::min(gas_step_, case_.largest_gas_step());
-    // grow gently, shrink at once
-    return std::min({gas_step_ * case_.largest_courant_number() / courant, 1.2 * gas_step_, case_.largest_gas_step()});
+    if (courant <= 0) return std::min(gas_step_, most);
+    // grow gently, though by a whole solid step, or it never would; shrink at once
+    const double grown = std::max(1.2 * gas_step_, gas_step_ + clock_.solid_step());
+    return std::min({gas_step_ * case_.largest_courant_number() / courant, grown, most});
 }
 
 void CoupledRun::step()

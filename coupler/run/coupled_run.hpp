@@ -9,6 +9,7 @@
 #include "engines/openfoam/foam_case.hpp"
 #include "records/particle_snapshots.hpp"
 #include "records/results.hpp"
+#include "run/population.hpp"
 #include "run/report.hpp"
 #include "step/coupling_step.hpp"
 
@@ -25,6 +26,7 @@ public:
 
 private:
     void refuse_empty_scene() const;
+    void check_weights();
     void check_scene() const;
     LockstepClock choose_clock() const;
     void check_given_step() const;
@@ -49,6 +51,7 @@ private:
     Observation last_seen_;
     double next_record_ = 0, next_snapshot_ = 0;
     double gas_step_ = 0;
+    Population at_start_;
 };
 
 }  // namespace interphase

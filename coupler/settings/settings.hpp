@@ -19,7 +19,7 @@ enum class OutsideMesh { stop, ignore };
 /// What system/couplingDict asks for. Lengths in m, times in s, pressures in Pa.
 struct Settings {
     Method method = Method::dem;
-    double weight = 1;                 ///< real particles per tracked one, >= 1
+    double weight = 1;                 ///< real particles per tracked one, >= 1, unless the script gives each its own
     std::vector<std::string> plugins;  ///< names or paths of plug-ins with fix styles for the script
 
     std::string script;                                          ///< LIGGGHTS script, relative to the case

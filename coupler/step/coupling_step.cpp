@@ -103,7 +103,7 @@ void CouplingStep::bring_particles_to_their_cells()
         particles.coupling[i].home = homes_[i];
     visits_.plan(homes_);
 
-    const double per_real = 1.0 / std::cbrt(settings_.weight);
+    double weight = 1, per_real = 1;  // of the last one, which most share: a cube root is dear
     const std::size_t width = visitor_width();
     records_.resize(visits_.order().size() * width);
     std::size_t r = 0;
@@ -111,6 +111,10 @@ void CouplingStep::bring_particles_to_their_cells()
         const auto column = static_cast<Eigen::Index>(i);
         put(&records_[r + position], particles.position.col(column));
         put(&records_[r + velocity], particles.velocity.col(column));
+        if (particles.weight[i] != weight) {
+            weight = particles.weight[i];
+            per_real = 1.0 / std::cbrt(weight);
+        }
         records_[r + diameter] = 2 * particles.radius[column] * per_real;
         records_[r + volume] = sphere_volume(particles.radius[column]);
         if (stress_) records_[r + mass] = particles.mass[column];
@@ -285,6 +289,7 @@ void CouplingStep::begin_solid_stress(const ParticleView& particles, double dt)
     const StepTooLong found = stress_->begin(fluid_, homeward_record, visits_.order(), particles.mass, dt);
     too_long_.crossing_cells += found.crossing_cells;
     too_long_.beyond_relaxation += found.beyond_relaxation;
+    too_long_.longest = comm_.min(found.longest);
 }
 
 void CouplingStep::leave_without_gas(const ParticleView& particles, std::size_t i)

@@ -35,12 +35,14 @@ public:
                  Stopwatch& stopwatch);
 
     /// Advances gas and particles by `dt` = `substeps` solid steps. Throws a UserError on all ranks if a particle is
-    /// outside the mesh, a packing cannot be relieved or a value is not finite. Collective.
+    /// outside the mesh, a packing cannot be relieved, a value is not finite or a weight below 1. Collective.
     void advance(double dt, int substeps);
 
     const Ledger& ledger() const { return ledger_; }
     const Scalars& voidage() const { return voidage_; }
     bool has_solid_stress() const { return stress_.has_value(); }
+    /// What the solid stress bore in the last gas step (eq. 28 of the paper), the same on all ranks [s].
+    double longest_step() const { return too_long_.longest; }
 
     /// Collective.
     Interventions interventions() const;
@@ -103,7 +105,7 @@ private:
     long outside_ = 0;
     long relieved_ = 0;
     long beyond_range_ = 0;
-    StepTooLong too_long_;
+    StepTooLong too_long_;  ///< counts of the whole run; the longest step as the last one saw it
     long particle_count_ = -1;
 };
 

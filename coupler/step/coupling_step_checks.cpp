@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What ends a coupling step: particles outside the mesh, particles that got lost, numbers that are not finite.
+// What ends a coupling step: particles outside the mesh, particles that got lost, numbers that cannot be.
 #include <algorithm>
-#include <cmath>
 
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "step/coupling_step.hpp"
+#include "step/particle_trouble.hpp"
 
 namespace interphase {
 
@@ -62,16 +62,8 @@ void CouplingStep::refuse_loss(const ParticleView& particles, long lost) const
 
 std::optional<std::string> CouplingStep::trouble(const ParticleView& particles) const
 {
-    if (std::isfinite(particles.position.sum() + particles.velocity.sum())) return gas_.trouble();
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-        const auto column = static_cast<Eigen::Index>(i);
-        if (particles.position.col(column).allFinite() && particles.velocity.col(column).allFinite()) continue;
-        return "the velocity or position of particle " + std::to_string(particles.id[i]) + " (rank " +
-               std::to_string(comm_.rank()) + ") is not finite: v = " + text(Vector(particles.velocity.col(column))) +
-               "\n  where:  at " + text(Vector(particles.position.col(column))) +
-               "\n  remedy: reduce the solid step (particles/stepsPerCollision), check overlaps at the start";
-    }
-    return gas_.trouble();
+    const auto problem = particle_trouble(particles, comm_.rank());
+    return problem ? problem : gas_.trouble();
 }
 
 }  // namespace interphase

@@ -2,6 +2,7 @@
 #pragma once
 
 // Plug-ins outside this tree see this file, too, through plugin.hpp: it stands alone.
+#include <cfloat>
 
 namespace interphase {
 
@@ -20,6 +21,7 @@ struct StressState {
 struct StepTooLong {
     long crossing_cells = 0;     ///< they may cross more than the allowed part of a cell
     long beyond_relaxation = 0;  ///< it is longer than the allowed part of their relaxation time
+    double longest = DBL_MAX;    ///< the step that no particle would find too long [s]
 };
 
 /// A collision model that needs a stress of the solids on the gas mesh, instead of contacts (MP-PIC). Where there is

@@ -4,6 +4,7 @@
 #include "base/vector.hpp"
 #include "momentum/fluid_force.hpp"
 #include "momentum/particle_coupling.hpp"
+#include "step/particle_weights.hpp"
 #include "step/solid_stress.hpp"
 
 namespace interphase {
@@ -17,6 +18,7 @@ struct ParticleView {
     VectorsView force;
     ScalarsView radius;
     ScalarsView mass;
+    ParticleWeights weight;
     const int* id;
     FluidForce* fluid;  ///< null in a run without gas, as the next two
     double* booked;     ///< sum of the fluid force over the substeps since the gas solve [n x 3, N]

@@ -3,6 +3,7 @@
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -90,6 +91,7 @@ StepTooLong FixMpPic::begin(double gas_step)
             longest_step(states_[at(i)], Eigen::Map<const Vector>(atom->v[i]), courant_, relaxation_share_);
         found.crossing_cells += longest.crossing < gas_step;
         found.beyond_relaxation += longest.relaxation < update->dt;
+        found.longest = std::min({found.longest, longest.crossing, longest.relaxation});
         if (longest.crossing < shortest) {
             shortest = longest.crossing;
             worst = i;

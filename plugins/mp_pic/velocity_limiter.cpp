@@ -7,6 +7,13 @@
 
 namespace interphase::mp_pic {
 
+namespace {
+
+/// max(0, x), to the last bit, without a branch: which way a parcel moves is a coin toss that no processor predicts.
+double positive_part(double x) { return 0.5 * (x + std::abs(x)); }
+
+}  // namespace
+
 Vector stress_change(const StressState& state, double density, double dt)
 {
     if (state.solid_fraction <= 0) return Vector::Zero();
@@ -16,10 +23,10 @@ Vector stress_change(const StressState& state, double density, double dt)
 
 double limited_change(double change, double slope, const Approach& approach, double restitution)
 {
-    const double sense = slope <= 0 ? 1 : -1;  // of the stress's force
+    const double sense = std::copysign(1.0, -slope);  // of the stress's force
     const double to_stop = sense * approach.to_mean + approach.closing;
-    const double most = to_stop + restitution * std::max(0.0, std::min(sense * approach.before, to_stop));
-    return sense * std::max(0.0, std::min(sense * change, most));
+    const double most = to_stop + restitution * positive_part(std::min(sense * approach.before, to_stop));
+    return sense * positive_part(std::min(sense * change, most));
 }
 
 Vector limited_stress_change(const StressState& state, const Vector& before, const Vector& velocity, double density,

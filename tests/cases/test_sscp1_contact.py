@@ -15,6 +15,7 @@ import tempfile
 import unittest
 
 CASE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "cases", "sscp1")
+EXPONENTS = {"none": 0, "cubeRoot": 1 / 3, "twoThirds": 2 / 3, "linear": 1}  # of a parcel's spring with its weight
 STEPS_PER_COLLISION = 200  # ten times finer than a run: the law is tested, not the time step
 
 SCRIPT = """
@@ -66,8 +67,9 @@ class Meeting:
     """
 
     def __init__(self, with_wall, weight, normal, tangential=0.0, **changed):
-        value = {**parameters(), "weight": str(weight), **{k: repr(v) for k, v in changed.items()}}
-        self.value = {k: float(v) for k, v in value.items() if k != "method"}
+        value = {**parameters(), "weight": str(weight), **{k: str(v) for k, v in changed.items()}}
+        self.value = {k: float(v) for k, v in value.items() if k not in ("method", "stiffnessScaling")}
+        self.spring = self.value["springConstant"] * weight ** EXPONENTS[value["stiffnessScaling"]]
         self.diameter = self.value["diameter"] * weight ** (1 / 3)
         self.mass = self.value["particleDensity"] * math.pi / 6 * self.diameter**3
         self.with_wall = with_wall
@@ -149,7 +151,7 @@ class Meeting:
         return self.linear_contact_time(self.mass if self.with_wall else self.mass / 2, restitution)
 
     def linear_contact_time(self, reduced, restitution):
-        return math.sqrt(reduced / self.value["springConstant"] * (math.pi**2 + math.log(restitution) ** 2))
+        return math.sqrt(reduced / self.spring * (math.pi**2 + math.log(restitution) ** 2))
 
 
 @unittest.skipUnless(shutil.which("liggghts"), "needs the liggghts binary")
@@ -171,6 +173,21 @@ class ContactOfSscp1(unittest.TestCase):
             self.assertAlmostEqual(meeting.contact_time() / time, 1, delta=0.01)
 
         self.each(check)
+
+    def test_scaled_springs(self):
+        """By each law of stiffnessScaling: contacts last as the scaled spring says, t_c follows, restitution stays."""
+        for law, exponent in EXPONENTS.items():
+            for with_wall in (False, True):
+                with self.subTest(law=law, meets="wall" if with_wall else "sphere"):
+                    meeting = Meeting(with_wall, 8, normal=0.2, stiffnessScaling=law)
+                    expected = meeting.value["wallRestitution" if with_wall else "restitution"]
+                    self.assertAlmostEqual(meeting.restitution() / expected, 1, delta=0.005)
+                    self.assertAlmostEqual(meeting.contact_time() / meeting.expected_contact_time(expected), 1, delta=0.01)
+                    # the script's step is its own t_c by STEPS_PER_COLLISION, printed to ten digits
+                    self.assertAlmostEqual((meeting.rows[1][0] - meeting.rows[0][0]) / meeting.solid_step(), 1, delta=1e-9)
+                    if not with_wall:
+                        print(f"{law}: contact lasts {meeting.contact_time():.4g} s, W^{(1 - exponent) / 2:.3f} times a particle's, "
+                              f"restitution {meeting.restitution():.4f}")  # fmt: skip
 
     def test_other_restitution(self):
         """The damping follows the parameter, not the value it happens to have."""

@@ -158,6 +158,16 @@ class UnitSlips(SpoiledCase):
             with self.subTest(key=key), self.assertRaisesRegex(AssertionError, f"(?s)error.*{words}.*{value}|{words}.*{value}"):
                 self.prepared("sscp1", name=key, **{key: value})
 
+    def test_scaled_springs(self):
+        """The laws are listed, where none of them is meant and where there are no springs."""
+        with self.assertRaisesRegex(AssertionError, "stiffnessScaling square.*none, cubeRoot, twoThirds, linear"):
+            self.prepared("sscp1", name="unknown", stiffnessScaling="square")
+        for method in ("CGHS", "MPPIC"):
+            with self.subTest(method), self.assertRaisesRegex(AssertionError, f"linear.*method {method} have no springs.*CGPM"):
+                self.prepared("sscp1", name=method, method=method, stiffnessScaling="linear")
+        self.refused(self.with_edit("parameters", r"^stiffnessScaling\s.*$", "stiffnessScaling square;"), "LIGGGHTS stopped",
+                     r"scaling_square(.|\n)*of: none, cubeRoot, twoThirds, linear(.|\n)*ERROR")  # fmt: skip
+
 
 class Scene(SpoiledCase):
     def test_particle_outside_the_mesh(self):

@@ -186,7 +186,7 @@ class Loading(PluginTest):
 
 class Misfits(PluginTest):
     def test_another_interface(self):
-        self.everywhere_refused(["other_interface"], r"libother_interface\.so is built for version 4711", "this program has version 2",
+        self.everywhere_refused(["other_interface"], r"libother_interface\.so is built for version 4711", "this program has version [1-9]",
                                 "build the plug-in anew")  # fmt: skip
 
     def test_another_liggghts_compiler_and_mpi(self):

@@ -26,6 +26,8 @@ public:
         : file_(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path)
     {}
 
+    bool has(const std::string& path) const { return H5Lexists(file_, path.c_str(), H5P_DEFAULT) > 0; }
+
     std::vector<hsize_t> shape(const std::string& path) const
     {
         const Hdf5Handle set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, path);
@@ -134,7 +136,7 @@ TEST(Results, AFolderThatCannotBeWrittenIsNamed)
 }
 
 /// Rank r holds r + 1 particles in the first snapshot; in the second, rank 0 holds none and the others three each. A
-/// particle's values follow from its id.
+/// particle's values follow from its id. Weights differ in the second.
 ParticleRows rows(int snapshot)
 {
     const int rank = world().rank();
@@ -151,6 +153,10 @@ ParticleRows rows(int snapshot)
         }
         mine.diameter.push_back(1e-3 * id);
     }
+    if (snapshot == 0) return mine;
+    mine.weight.emplace();
+    for (const int id : mine.id)
+        mine.weight->push_back(0.25 * id);
     return mine;
 }
 
@@ -186,8 +192,13 @@ TEST(ParticleSnapshots, HoldEveryRanksParticlesWithTheirOwnValues)
             const Scalars x = file.doubles(group + "/position"), v = file.doubles(group + "/velocity");
             const Scalars w = file.doubles(group + "/angular_velocity"), f = file.doubles(group + "/force");
             const Scalars d = file.doubles(group + "/diameter");
+            EXPECT_EQ(file.has(group + "/weight"), snapshot == 1);
+            const Scalars weight = snapshot == 1 ? file.doubles(group + "/weight") : Scalars{};
             for (std::size_t i = 0; i < ids.size(); ++i) {
                 EXPECT_EQ(d[i], 1e-3 * ids[i]);
+                if (snapshot == 1) {
+                    EXPECT_EQ(weight[i], 0.25 * ids[i]);
+                }
                 for (std::size_t axis = 0; axis < 3; ++axis) {
                     const double part = 0.1 * static_cast<double>(axis);
                     EXPECT_EQ(x[3 * i + axis], ids[i] + part);
@@ -231,6 +242,7 @@ TEST(ParticleSnapshots, TheXdmfLeadsToEveryDataSet)
                 ++found;
             return found;
         };
+        EXPECT_EQ(count("/weight</DataItem>"), 1u);  // where they differ
         EXPECT_EQ(count("<Grid "), count("</Grid>"));
         EXPECT_EQ(count("<Grid "), 3u);  // the collection and its two members
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A crowd of different particles in a gas that differs from cell to cell: momentum and solid volume stay what they
-// were, to round-off, with gravity, pressure gradient and packing hand-over, with particles that leave; and what is
-// computed depends neither on the ranks nor on how many particles stay at home.
+// A crowd of particles of different size, density and weight in a gas that differs from cell to cell: momentum and
+// solid volume stay what they were, to round-off, with gravity, pressure gradient and packing hand-over, with particles
+// that leave; and what is computed depends neither on the ranks nor on how many particles stay at home.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -54,6 +54,7 @@ std::vector<Particle> crowd(int count, double packed_towards_the_middle = 1)
         p.velocity = Vector(uniform(-0.1, 0.1), uniform(-0.1, 0.1), uniform(-0.3, 0.3));
         p.diameter = uniform(1e-3, 4e-3);
         p.density = uniform(20, 1500);
+        p.weight = 1 + 0.7 * (n % 5);
         p.held = n % 5 == 0;
         all.push_back(p);
     }

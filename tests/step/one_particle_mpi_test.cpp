@@ -181,13 +181,11 @@ TEST(OneParticle, AParcelOfWFallsAsOneOfItsParticles)
     parcel.position = Vector(1.5 * cell, 1.5 * cell, 7 * cell);
     parcel.diameter = std::cbrt(weight) * settling.diameter;
     parcel.density = particle_density;
-    Settings rules;
-    rules.method = Method::cgpm;
-    rules.weight = weight;
+    parcel.weight = weight;
     Scene scene(
         world(),
         {test::even_planes(0, 3 * cell, 3), test::even_planes(0, 3 * cell, 3), test::even_planes(0, 8 * cell, 8)},
-        gas_density, viscosity, {parcel}, {0, 0, -g}, gas_step / 2, rules);
+        gas_density, viscosity, {parcel}, {0, 0, -g}, gas_step / 2, {});
     scene.gas.hold_velocity();
     scene.gas.set_pressure_gradient({0, 0, -gas_density * g});
     for (int n = 0; n < 300; ++n)

@@ -127,6 +127,28 @@ TEST(SolidStress, MeanVelocityIsWeightedByMass)
         EXPECT_LT((to_vector(model[i].mean_velocity) - Vector(-0.6, 0, 0.1)).norm(), 1e-14);
 }
 
+TEST(SolidStress, RelaxationTimeIsThatOfTheRealParticles)
+{
+    // parcels of 1, 8 and 2.5 of the same particles in each cell of one layer, at rest in gas of 2 m/s
+    std::vector<Particle> all = stack({0, 0, 0, 0, 0, 3});
+    const double weights[] = {1, 8, 2.5};
+    double solids = 0;
+    for (std::size_t n = 0; n < all.size(); ++n) {
+        Particle& p = all[n];
+        p.weight = weights[n / 16];
+        p.diameter = 1e-3 * std::cbrt(p.weight);
+        if (n % 16 == 0) solids += M_PI / 6 * std::pow(p.diameter, 3);
+    }
+    LinearStress model;
+    Scene s(world(), planes(), 1.2, 1.8e-5, all, Vector::Zero(), solid_step, rules(), &model);
+    s.gas.set_velocity({0, 0, 2});
+    s.advance(1);
+    const double eps = 1 - solids / std::pow(cell, 3);
+    const double expected = all[0].density / drag_rate_per_volume(*find_drag_law("BVK"), eps, 2, 1e-3, 1.2, 1.8e-5);
+    for (std::size_t i = 0; i < s.particles.size(); ++i)
+        EXPECT_NEAR(model[i].relaxation_time / expected, 1, 1e-12);
+}
+
 TEST(SolidStress, WhatMovesTogetherIsItsOwnMean)
 {
     // also with a kernel that spreads particles over cells, where the mean is one of cells

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A particle outside the mesh, a value that is not finite, a lost particle: every rank stops, with a message that names
-// who, on which rank, where, and what to do.
+// A particle outside the mesh, a value that is not finite, a weight below 1, a lost particle: every rank stops, with a
+// message that names who, on which rank, where, and what to do.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <memory>
 
+#include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "support/scene.hpp"
 #include "support/world.hpp"
@@ -119,6 +120,27 @@ TEST(Trouble, AVelocityOrPositionThatStopsBeingFinite)
         expect_parts(message_of(*s), {"particle 102", rank_of(102), "not finite", "v = (0 nan 0)",
                                       position_too ? "(0.005 0.005 nan)" : "(0.005 0.005 0.012)"});
     }
+}
+
+TEST(Trouble, AWeightThatIsNoNumberOfParticles)
+{
+    const double infinite = std::numeric_limits<double>::infinity();
+    for (const double bad : {0.5, 0.0, -8.0, std::nan(""), infinite}) {
+        auto all = ten();
+        all[4].weight = bad;
+        const std::string message = message_of(*scene(all));
+        expect_parts(message, {"weight", "particle 105", rank_of(105), "is " + text(bad), "(0.005 0.005 0.036)",
+                               "remedy:", "property/atom weight"});
+    }
+}
+
+TEST(Trouble, AWeightThatStopsBeingOne)
+{
+    const auto s = scene(ten());
+    EXPECT_EQ(message_of(*s), "");
+    for (std::size_t i = 0; i < s->particles.size(); ++i)
+        if (s->particles.id(i) == 108) s->particles.set_weight(i, 0.25);
+    expect_parts(message_of(*s), {"weight", "particle 108", rank_of(108), "is 0.25"});
 }
 
 TEST(Trouble, AGasFieldOfOneRank)

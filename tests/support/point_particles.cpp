@@ -14,12 +14,14 @@ PointParticles::PointParticles(const Communicator& comm, const std::vector<Parti
         field->setZero(3, n);
     radius_.resize(n);
     mass_.resize(n);
+    weight_.resize(n);
     for (std::size_t i = 0; i < mine.size(); ++i) {
         const Particle& p = mine[i];
         position_.col(column(i)) = p.position;
         velocity_.col(column(i)) = p.velocity;
         radius_[column(i)] = 0.5 * p.diameter;
         mass_[column(i)] = p.density * M_PI / 6 * p.diameter * p.diameter * p.diameter;
+        weight_[column(i)] = p.weight;
         if (!p.held) force_.col(column(i)) = mass_[column(i)] * gravity_;  // as LIGGGHTS's set-up leaves it
         id_.push_back(p.id);
         held_.push_back(p.held);
@@ -39,6 +41,7 @@ ParticleView PointParticles::particles()
             vectors(force_),
             ScalarsView(radius_.data(), n),
             ScalarsView(mass_.data(), n),
+            ParticleWeights::of_each(weight_.data()),
             id_.data(),
             fluid_.data(),
             booked_.data(),
@@ -91,7 +94,7 @@ void PointParticles::erase(std::size_t i)
         field->col(column(i)) = field->col(column(last)).eval();
         field->conservativeResize(3, column(last));
     }
-    for (auto* field : {&radius_, &mass_}) {
+    for (auto* field : {&radius_, &mass_, &weight_}) {
         (*field)[column(i)] = (*field)[column(last)];
         field->conservativeResize(column(last));
     }

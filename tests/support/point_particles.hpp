@@ -14,6 +14,7 @@ struct Particle {
     Vector velocity = Vector::Zero();
     double diameter = 1e-3;  ///< [m]
     double density = 1000;   ///< [kg/m3]
+    double weight = 1;       ///< real particles in it
     bool held = false;       ///< by rigid contacts, where it is
 };
 
@@ -46,6 +47,7 @@ public:
         broken_ = id;
         breaks_position_ = position_too;
     }
+    void set_weight(std::size_t i, double weight) { weight_[column(i)] = weight; }
     void allow_removal() { may_remove_ = true; }
 
     /// Momentum of the particles that move, with the half kick of the fluid force that the next substep begins with, so
@@ -67,7 +69,7 @@ private:
     Vector gravity_;
     double solid_step_;
     Eigen::Matrix3Xd position_, velocity_, spin_, force_, fluid_force_;
-    Eigen::VectorXd radius_, mass_;
+    Eigen::VectorXd radius_, mass_, weight_;
     std::vector<int> id_;
     std::vector<bool> held_;
     std::vector<FluidForce> fluid_;

@@ -65,6 +65,12 @@ class Files(Bench):
         single = plt.imread(self.picture_file).shape
         self.assertGreater(strip[1], 1.5 * single[1])
 
+    def test_weights_are_told(self):
+        told = TOOL["weights"]
+        self.assertEqual(told({"weight": 8.0}), "8")
+        self.assertEqual(told({"weight": 8.0, "lowest_weight": 8.0, "highest_weight": 8.0}), "8")
+        self.assertEqual(told({"weight": 3.7, "lowest_weight": 1.0, "highest_weight": 27.0}), "1 to 27")
+
     def test_pressure_drop_adds_a_panel_below(self):
         self.particles(self.SCENE)
         self.picture()

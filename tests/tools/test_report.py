@@ -70,8 +70,11 @@ def correlated(samples, memory, seed):
 
 
 class Velocity(unittest.TestCase):
-    def moments(self, position, velocity, front_only=False):
-        return bed_statistics.window_moments(position, velocity, WINDOWS, front_only)
+    def moments(self, position, velocity):
+        """Of single particles: number, sums and temperatures."""
+        number, real, sums, temperatures = bed_statistics.window_moments(position, velocity, numpy.ones(len(position)), WINDOWS, False)
+        numpy.testing.assert_array_equal(real, number)
+        return number, sums, temperatures
 
     def test_uniform_flow_has_its_velocity_everywhere_and_no_temperature(self):
         position = scattered(5000)
@@ -93,6 +96,17 @@ class Velocity(unittest.TestCase):
         self.assertTrue((number > 100).all() and (number % 2 == 0).all())
         numpy.testing.assert_allclose(sums / number[:, None], [[1.5, -2.0]] * 2, rtol=1e-12)
         numpy.testing.assert_allclose(temperatures, [[0.04, 0.25], [0.01, 0.0]], rtol=1e-12, atol=1e-25)
+
+    def test_parcels_count_as_their_particles(self):
+        """Spheres of weights 1 to 5 give what as many single particles at their places and of their velocities give."""
+        random = numpy.random.default_rng(3)
+        position, velocity, weight = scattered(500), random.normal(size=(500, 3)), random.integers(1, 6, 500)
+        number, *of_parcels = bed_statistics.window_moments(position, velocity, weight.astype(float), WINDOWS, False)
+        _, *of_particles = bed_statistics.window_moments(
+            numpy.repeat(position, weight, axis=0), numpy.repeat(velocity, weight, axis=0), numpy.ones(weight.sum()), WINDOWS, False)
+        for parcels, particles in zip(of_parcels, of_particles):
+            numpy.testing.assert_allclose(parcels, particles, rtol=1e-12)
+        self.assertTrue((number < of_parcels[0]).all())
 
     def test_a_window_is_where_it_says(self):
         places = {(0.05, 0.05, 0.15): (0, -1), (0.15, 0.005, 0.15): (1, 1), (0.1, 0.005, 0.15): (1, 1),
@@ -380,6 +394,21 @@ class WholeReport(Folder):
 
     def test_parcels_are_shown_over_the_full_depth(self):
         self.assertIn("full depth", self.report(self.run_of("one", weight=8.0), "--no-write"))
+
+    def test_weights_that_differ(self):
+        """Parcels of 9 that rise at 1 m/s among as many particles that sink at 1 m/s: 0.8 m/s on average."""
+        run = self.run_of("mixed", 60, weight=5.0)
+        with h5py.File(os.path.join(run, "particles.h5"), "r+") as file:
+            for group in file["snapshots"].values():
+                weight = numpy.where(numpy.arange(300) % 2, 9.0, 1.0)
+                group["weight"] = weight
+                group["velocity"][:, 2] = numpy.where(weight > 1, 1.0, -1.0)
+        text = self.report(run)
+        self.assertIn("full depth", text)
+        with h5py.File(os.path.join(run, "results.h5"), "r") as file:
+            group = file["profiles/full_depth"]
+            # of 1,600 spheres in a window half are of each kind but for chance, which is 0.01 m/s
+            numpy.testing.assert_allclose(group["vertical_velocity"], 0.8, atol=0.05)
 
     def test_the_range_is_that_of_the_shortest_run(self):
         long, short = self.run_of("long", 80), self.run_of("short", 50, seed=4)

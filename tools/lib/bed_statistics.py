@@ -27,24 +27,27 @@ def window_of(position, windows, front_only):
     return numpy.where(inside, index, -1)
 
 
-def window_moments(position, velocity, windows, front_only):
-    """Per window: number of centres [w], sums of horizontal and vertical velocity [w, 2], granular temperatures [w, 2].
+def window_moments(position, velocity, weight, windows, front_only):
+    """Per window: number of centres [w], of real particles [w], their sums of horizontal and vertical velocity [w, 2] and
+    granular temperatures [w, 2].
 
-    Theta_x = 1/N sum (v_x - mean)^2 and the same for z (eqs. 21, 22), NaN where N < 2: one sphere has no deviation.
+    `weight`: real particles in each sphere [n]. Theta_x = 1/N sum (v_x - mean)^2 over the N real particles, and the same
+    for z (eqs. 21, 22), NaN where fewer than two spheres are: one has no deviation.
     """
     index = window_of(position, windows, front_only)
     chosen = index >= 0
-    index, components = index[chosen], velocity[chosen][:, (0, 2)]
+    index, components, weight = index[chosen], velocity[chosen][:, (0, 2)], weight[chosen]
     number = numpy.bincount(index, minlength=windows.count)
+    real = numpy.bincount(index, weight, minlength=windows.count)
     sums = numpy.empty((windows.count, 2))
     temperatures = numpy.full((windows.count, 2), numpy.nan)
     for axis in range(2):
-        sums[:, axis] = numpy.bincount(index, components[:, axis], minlength=windows.count)
-        mean = sums[:, axis] / numpy.maximum(number, 1)
-        squares = numpy.bincount(index, (components[:, axis] - mean[index]) ** 2, minlength=windows.count)
+        sums[:, axis] = numpy.bincount(index, weight * components[:, axis], minlength=windows.count)
+        mean = sums[:, axis] / numpy.maximum(real, 1)  # a sphere stands for one at least
+        squares = numpy.bincount(index, weight * (components[:, axis] - mean[index]) ** 2, minlength=windows.count)
         enough = number >= 2
-        temperatures[enough, axis] = squares[enough] / number[enough]
-    return number, sums, temperatures
+        temperatures[enough, axis] = squares[enough] / real[enough]
+    return number, real, sums, temperatures
 
 
 def overlaps(position, diameter):

@@ -21,6 +21,7 @@ DEPTHS = ("front_slice", "full_depth")
 COMPONENTS = ("horizontal", "vertical")
 SPECTRUM_SAMPLES = 128
 DATA = ("position", "velocity", "diameter")
+WEIGHT = "weight"  # real particles in each sphere; recorded where it differs between them
 
 
 @dataclass(frozen=True)
@@ -95,17 +96,18 @@ def measure(run, scene, chosen, series_chosen, progress=None):
     InputError where a snapshot lacks what is needed.
     """
     rows = _Rows()
-    for frame in run.frames(only=DATA):
+    for frame in run.frames(only=(*DATA, WEIGHT)):
         if not chosen(frame):
             continue
         state = frame.load().quantities
         missing = [name for name in DATA if name not in state]
         if missing:
             raise InputError(f"{frame.where}: no data set {' and '.join(missing)}")
-        for name in DATA:
+        weight = state.setdefault(WEIGHT, numpy.ones(len(state["diameter"])))
+        for name in (*DATA, WEIGHT):
             if not numpy.isfinite(state[name]).all():
                 raise InputError(f"{frame.where}: {name} holds NaN or infinite values; end before it by --until")
-        _measure_snapshot(state["position"], state["velocity"], state["diameter"], scene, rows)
+        _measure_snapshot(state["position"], state["velocity"], state["diameter"], weight, scene, rows)
         rows.add(time=frame.time)
         if progress:
             progress(len(rows.rows["time"]), frame.time)
@@ -124,14 +126,15 @@ def measure(run, scene, chosen, series_chosen, progress=None):
     return report
 
 
-def _measure_snapshot(position, velocity, diameter, scene, rows):
+def _measure_snapshot(position, velocity, diameter, weight, scene, rows):
     rows.add(spheres=len(diameter))
     if scene.windows:
         moments = (
-            bed_statistics.window_moments(position, velocity, scene.windows, depth == "front_slice") for depth in DEPTHS
+            bed_statistics.window_moments(position, velocity, weight, scene.windows, depth == "front_slice")
+            for depth in DEPTHS
         )
-        number, sums, temperatures = zip(*moments)
-        rows.add(number=number, sums=sums, temperatures=temperatures)
+        number, real, sums, temperatures = zip(*moments)
+        rows.add(number=number, real=real, sums=sums, temperatures=temperatures)
     if scene.overlaps:
         values = bed_statistics.overlaps(position, diameter)
         rows.add(
@@ -165,11 +168,12 @@ def _windows(report, windows, rows):
     edges = bed_statistics.window_edges(windows)
     report.windows = (edges[1:] + edges[:-1]) / 2
     for at, depth in enumerate(DEPTHS):
-        numbers, sums, temperatures = rows.number[:, at], rows.sums[:, at], rows.temperatures[:, at]
+        numbers, real = rows.number[:, at], rows.real[:, at]
+        sums, temperatures = rows.sums[:, at], rows.temperatures[:, at]
         every = range(windows.count)
         report.profiles[depth] = Profile(
             [statistics.mean_with_error(numbers[:, w]) for w in every],
-            {name: [_ratio(sums[:, w, axis], numbers[:, w]) for w in every] for axis, name in enumerate(COMPONENTS)},
+            {name: [_ratio(sums[:, w, axis], real[:, w]) for w in every] for axis, name in enumerate(COMPONENTS)},
             [_mean(temperatures[:, w].sum(axis=1) / 3) for w in every],
             {name: [_mean(temperatures[:, w, axis]) for w in every] for axis, name in enumerate(COMPONENTS)},
         )

@@ -16,6 +16,7 @@
 #include "engines/liggghts/fix_registration.hpp"
 #include "engines/liggghts/last_words.hpp"
 #include "engines/liggghts/plugin.hpp"
+#include "engines/liggghts/weight_property.hpp"
 #include "fix_gravity.h"
 #include "force.h"
 #include "integrate.h"
@@ -57,6 +58,7 @@ LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& setting
     lammps_file(lmp_, settings.script.c_str());
 
     refuse_unusable_scene();
+    weights_ = weight_property(*lmp_, settings.script);
     if (settings.method != Method::mp_pic && (lmp_->force->pair || !resolves_contacts(settings.method)))
         contact_duration_ = shortest_contact(*lmp_);
     step_limit_ = ask_for_step_limit();
@@ -227,6 +229,7 @@ ParticleView LiggghtsSolids::particles()
             vectors(atom.f),
             ScalarsView(atom.radius, n),
             ScalarsView(atom.rmass, n),
+            weights_ ? ParticleWeights::of_each(weights_->vector_atom) : ParticleWeights::same(settings_.weight),
             atom.tag,
             fluid_ ? fluid_->forces() : nullptr,
             fluid_ ? fluid_->booked() : nullptr,

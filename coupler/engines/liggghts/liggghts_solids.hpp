@@ -10,8 +10,9 @@
 #include "step/solids.hpp"
 
 namespace LAMMPS_NS {
+class Fix;
 class LAMMPS;
-}
+}  // namespace LAMMPS_NS
 
 namespace interphase {
 
@@ -60,6 +61,7 @@ private:
     const Settings& settings_;
     LAMMPS_NS::LAMMPS* lmp_ = nullptr;
     FixFluid* fluid_ = nullptr;
+    const LAMMPS_NS::Fix* weights_ = nullptr;  ///< the script's, or null: all have that of the settings
     std::vector<LoadedPlugin> plugins_;
     std::optional<double> contact_duration_, step_limit_;
     SolidStress* solid_stress_ = nullptr;  ///< a fix's

@@ -28,6 +28,9 @@ class BedOfSscp1(support.ProgramTest):
     def lies_still(self, poured, step, **options):
         diameter = poured.diameters.min()
         lying = poured.pour(self.root, SECONDS, step, timeout=7000, **options)
+        print(f"{self.id().split('.')[-1]}: unrest {lying.unrest():.1e}, kinetic energy {lying.kinetic[-1]:.1e} J, mean height "
+              f"{lying.height[-1]:.5f} m, drift {lying.drift() / diameter:.1e} d/s, overlaps' percentile 97 "
+              f"{100 * numpy.percentile(lying.overlaps(), 97):.2f} % d")  # fmt: skip
         self.assertEqual(lying.count[-1], len(poured.centres), "spheres are lost")
         self.assertLess(lying.unrest(), 1e-7, "kinetic energy, over that of the impact")  # as in test_static_bed
         self.assertLess(abs(lying.drift()), 0.005 * diameter, "the height drifts [m/s]")

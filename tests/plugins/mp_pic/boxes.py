@@ -34,13 +34,14 @@ PLANES = "".join(f"fix {axis}{end} all wall/mp_pic primitive type 2 {axis}plane 
 
 
 class Box:
-    """size [m, 3], cells [3], parcels: dict of diameter and density (tracked sphere's), position [n, 3], velocity [n, 3]."""
+    """size [m, 3], cells [3], parcels: diameter (one or [n]) and density of the tracked spheres, position [n, 3], velocity [n, 3]."""
 
     def __init__(self, size, cells, diameter, density, position, velocity=None, weight=1, gravity=0.0, fluid=(1.2, 1.8e-5),
                  step=1e-3, end=1e-2, e=0.9, en=0.9, et=1.0, integrator="fix move all mp_pic\n", walls=PLANES, gas="model pimple; coupling twoWay;",
-                 particles="", mapping="type kernel;", write_every=None, sides="slip", method="MPPIC", law="BVK", more=""):  # fmt: skip
+                 particles="", mapping="type kernel;", write_every=None, sides="slip", method="MPPIC", law="BVK", more="", plugins="mp_pic"):  # fmt: skip
         self.__dict__.update(locals())
         self.position = numpy.atleast_2d(numpy.asarray(position, float))
+        self.diameter = numpy.broadcast_to(numpy.asarray(diameter, float), len(self.position))
         self.velocity = numpy.zeros_like(self.position) if velocity is None else numpy.atleast_2d(numpy.asarray(velocity, float))
 
     def script(self):
@@ -48,7 +49,7 @@ class Box:
         low = "".join(f"variable low{axis} equal 0.0\nvariable high{axis} equal {length!r}\n" for axis, length in zip("xyz", size))
         return (
             "units si\natom_style granular\natom_modify map array sort 0 0\nboundary f f f\nnewton off\ncommunicate single vel yes\n"
-            f"processors 1 1 *\nread_data dem/parcels.data\nneighbor {self.diameter!r} bin\nneigh_modify delay 0\n"
+            f"processors 1 1 *\nread_data dem/parcels.data\nneighbor {float(self.diameter.max())!r} bin\nneigh_modify delay 0\n"
             + low + RESTITUTION.format(e=self.e, en=self.en, et=self.et) + self.more + self.walls
             + f"fix gravity all gravity {self.gravity!r} vector 0 0 -1\n" + self.integrator
             + "thermo_style custom step atoms ke\nthermo 100000\nthermo_modify norm no lost ignore\n"
@@ -60,7 +61,8 @@ class Box:
         for axis, length in zip("xyz", self.size):
             text += f"0 {length!r} {axis}lo {axis}hi\n"
         text += "\nAtoms\n\n" + "".join(
-            f"{i + 1} 1 {self.diameter!r} {self.density!r} {x!r} {y!r} {z!r}\n" for i, (x, y, z) in enumerate(self.position.tolist()))
+            f"{i + 1} 1 {d!r} {self.density!r} {x!r} {y!r} {z!r}\n"
+            for i, (d, (x, y, z)) in enumerate(zip(self.diameter.tolist(), self.position.tolist())))
         return text + "\nVelocities\n\n" + "".join(
             f"{i + 1} {x!r} {y!r} {z!r} 0 0 0\n" for i, (x, y, z) in enumerate(self.velocity.tolist()))  # fmt: skip
 
@@ -81,7 +83,7 @@ class Box:
         put("system/decomposeParDict", "dictionary",
             f"numberOfSubdomains {ranks}; method simple; simpleCoeffs {{ n (1 1 {ranks}); delta 0.001; }}\n")  # fmt: skip
         put("system/couplingDict", "dictionary",
-            f'method {self.method}; weight {self.weight!r}; plugins (mp_pic);\nparticles {{ script "dem/in.liggghts"; {self.particles} }}\n'
+            f'method {self.method}; weight {self.weight!r}; plugins ({self.plugins});\nparticles {{ script "dem/in.liggghts"; {self.particles} }}\n'
             f"gas {{ {self.gas} }}\ndrag {{ law {self.law}; }}\nmapping {{ {self.mapping} }}\n"
             f"records {{ interval {self.write_every or self.end!r}; }}\n")  # fmt: skip
         put("constant/transportProperties", "dictionary",
@@ -99,6 +101,17 @@ class Box:
             if done.returncode != 0:
                 raise AssertionError(done.stdout[-2000:] + done.stderr)
         return folder
+
+
+def weighted(weights, default=1):
+    """Lines of a script that give particle i + 1 the weight weights[i], as the README has them."""
+    text = f"fix weights all property/atom weight scalar yes no no {default!r}\nrun 0\n"
+    for number, weight in enumerate(sorted(set(weights) - {default})):
+        ids = [str(i + 1) for i, w in enumerate(weights) if w == weight]
+        for start in range(0, len(ids), 200):  # a line of LIGGGHTS ends somewhere
+            text += f"group w{number} id {' '.join(ids[start:start + 200])}\n"
+        text += f"set group w{number} property/atom weight {weight!r}\n"
+    return text
 
 
 def lattice(size, counts):

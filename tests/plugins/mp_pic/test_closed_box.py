@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 600
 # processors: 4
-"""Parcels in a closed box: no stress where they are spread evenly, books that close, tracers that fly as DEM's do, the same on any number
-of ranks, and bad input refused.
+"""Parcels in a closed box: no stress where they are spread evenly, of one weight or of several, books that close, tracers that
+fly as DEM's do, the same on any number of ranks, and bad input refused.
 """
 
 import os
@@ -44,7 +44,7 @@ def heaped(seed=2):
 class ClosedBox(support.ProgramTest):
     def run_box(self, name, ranks=1, **how):
         position, velocity = how.pop("parcels")
-        box = boxes.Box(SIZE, CELLS, DIAMETER, DENSITY, position, velocity, **how)
+        box = boxes.Box(SIZE, CELLS, how.pop("diameter", DIAMETER), DENSITY, position, velocity, **how)
         return self.run_case(box.write(os.path.join(self.root, name), ranks), ranks)
 
     @staticmethod
@@ -67,6 +67,21 @@ class ClosedBox(support.ProgramTest):
         print(f"uniform bed: velocities change by {abs(change).max():.1e} m/s")
         self.assertLess(abs(change).max(), 1e-12)  # against 0.2 m/s; the stress of 27 parcels is 0.4 Pa
 
+    def test_no_force_where_a_bed_of_mixed_weights_is_uniform(self):
+        """Weights of 1 to 4 in every cell, in each the same: the solid fraction is the parcels', whatever number makes it."""
+        position, velocity = crowd()
+        inside = numpy.floor(position / SIZE * (12, 12, 24)).astype(int) % 3 @ (9, 3, 1)  # place in the cell, 0 to 26
+        weights = (1.0 + inside % 4).tolist()
+        done = self.run_box("mixed", parcels=(position, velocity), diameter=DIAMETER * numpy.cbrt(weights), more=boxes.weighted(weights),
+                            fluid=THIN, gas=FROZEN, mapping="type cellCentre;", step=1e-4, end=1e-4, integrator="fix move all mp_pic\n" + SUMS)  # fmt: skip
+        snapshots = done.snapshots()
+        last = snapshots[max(snapshots)]
+        change = last["velocity"] - velocity
+        numpy.testing.assert_array_equal(last["weight"], weights)
+        fraction = sum(1.0 + k % 4 for k in range(27)) * MASS / DENSITY / numpy.prod(numpy.array(SIZE) / CELLS)
+        print(f"uniform bed of mixed weights, solid fraction {fraction:.2f}: velocities change by {abs(change).max():.1e} m/s")
+        self.assertLess(abs(change).max(), 1e-12)  # against 0.2 m/s
+
     def test_momentum_comes_from_stress_and_walls_alone(self):
         parcels = heaped()
         done = self.run_box("heap", parcels=parcels, fluid=THIN, gas=FROZEN, step=5e-4, end=0.1, integrator="fix move all mp_pic overfilled count\n" + SUMS)
@@ -85,6 +100,24 @@ class ClosedBox(support.ProgramTest):
             self.assertLess(file["/ledger/momentum_residual"][:].max(), 1e-12)
             self.assertLess(file["/ledger/volume_residual"][:].max(), 1e-12)
             self.assertIn("cells_beyond_close_packing", file["/ledger"])
+
+    def test_an_adjusted_step_heeds_the_parcels(self):
+        """Eq. 28: where the gas step may change, none crosses more than its share of a cell."""
+        speed, share, longest = 2.0, 0.25, 4e-3
+        position, velocity = crowd(speed=0.0, counts=(4, 4, 8))
+        velocity[5] = (0, 0, speed)
+        box = boxes.Box(SIZE, CELLS, DIAMETER, DENSITY, position, velocity, fluid=THIN, e=1.0, en=1.0, step=2.5e-4, end=0.05,
+                        particles="solidStep 2.5e-4;", integrator=f"fix move all mp_pic courant {share}\n")  # fmt: skip
+        folder = box.write(os.path.join(self.root, "adjusted"))
+        with open(os.path.join(folder, "system", "controlDict"), "a") as file:
+            file.write(f"adjustTimeStep yes; maxCo 1000; maxDeltaT {longest};\n")
+        done = self.run_case(folder)
+        with done.results() as file:
+            steps = numpy.diff(file["/ledger/time"][:])
+            self.assertEqual(file["/ledger/step_crosses_cells"][-1], 0)
+        allowed = share * SIZE[2] / CELLS[2] / speed
+        print(f"eq. 28 allows {allowed} s of {longest} s; steps grew from {steps[0]:.3g} to {steps.max():.3g} s")
+        self.assertAlmostEqual(steps.max(), allowed, delta=1e-9)  # a whole number of solid steps, so it is met
 
     def test_tracers_fly_as_dem_s_do(self):
         """Stress off, W = 1: the same trajectory as nve/sphere's, through gas that drags and gravity."""
@@ -125,8 +158,9 @@ class BadInput(support.ProgramTest):
         box = boxes.Box(SIZE, CELLS, how.pop("diameter", DIAMETER), DENSITY, position, velocity, end=2e-3, gas=how.pop("gas", FROZEN), **how)
         done = support.execute(box.write(os.path.join(self.root, f"box{len(os.listdir(self.root))}")))
         self.assertEqual(done.code == 0, good, done.text[-3000:])
-        text = " ".join((done.text + (support.read(done.path("log.liggghts")) if os.path.exists(done.path("log.liggghts")) else "")).split())
-        self.assertRegex(text, expected)
+        log = done.path("dem", "log.liggghts")
+        done.told = " ".join((done.text + (support.read(log) if os.path.exists(log) else "")).split())
+        self.assertRegex(done.told, expected)
         return done
 
     def test_words_of_the_fix(self):
@@ -147,6 +181,18 @@ class BadInput(support.ProgramTest):
         ):
             with self.subTest(words):
                 self.ended(expected, integrator=f"fix move all mp_pic {words}\n")
+
+    def test_exponents_beyond_what_is_published(self):
+        """... run, with a warning in LIGGGHTS's log; those within 2 to 5, both ends included, without."""
+        for exponent in ("1.9", "5.1", "12"):
+            with self.subTest(exponent):
+                self.ended(rf"WARNING: Fix mp_pic: the exponent of the stress is {exponent}[.0]*, outside the published range of 2 to 5",
+                           good=True, integrator=f"fix move all mp_pic stress harris_crighton 10 {exponent}\n")  # fmt: skip
+        for words in ("stress harris_crighton 10 2", "stress harris_crighton 10 5", "stress lun 1000 0.01 0.9", "stress off", ""):
+            with self.subTest(words):
+                done = self.ended("Reached t = 0.002 s", good=True, integrator=f"fix move all mp_pic {words}\n")
+                self.assertIn("fix move all mp_pic", done.told)  # the log is there
+                self.assertNotIn("published", done.told)
 
     def test_restitution(self):
         self.ended(r"coefficientRestitution is 1\.5", e=1.5)

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/population.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace interphase {
+
+Population counted(const Communicator& comm, const ParticleView& particles)
+{
+    constexpr double huge = std::numeric_limits<double>::max();
+    Population mine{static_cast<long>(particles.size()), 0, huge, 0, huge, 0};
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+        const double weight = particles.weight[i];
+        const double diameter = 2 * particles.radius[static_cast<Eigen::Index>(i)] / std::cbrt(weight);
+        mine.real += weight;
+        mine.lowest_weight = std::min(mine.lowest_weight, weight);
+        mine.highest_weight = std::max(mine.highest_weight, weight);
+        mine.smallest_diameter = std::min(mine.smallest_diameter, diameter);
+        mine.largest_diameter = std::max(mine.largest_diameter, diameter);
+    }
+    return {comm.sum(mine.tracked),           comm.sum(mine.real),
+            comm.min(mine.lowest_weight),     comm.max(mine.highest_weight),
+            comm.min(mine.smallest_diameter), comm.max(mine.largest_diameter)};
+}
+
+}  // namespace interphase

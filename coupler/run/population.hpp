@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/communicator.hpp"
+#include "step/solids.hpp"
+
+namespace interphase {
+
+/// The particles of all ranks, tracked and real.
+struct Population {
+    long tracked = 0;
+    double real = 0;  ///< the sum of the weights
+    double lowest_weight = 1, highest_weight = 1;
+    double smallest_diameter = 0, largest_diameter = 0;  ///< of the real particles [m]
+
+    double mean_weight() const { return lowest_weight == highest_weight ? lowest_weight : real / tracked; }
+};
+
+/// Collective.
+Population counted(const Communicator& comm, const ParticleView& particles);
+
+}  // namespace interphase

@@ -1,0 +1,146 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+# timeout: 300
+"""Off walls of each kind, planes, cylinders and triangle meshes, parcels come with -e_n of the velocity across and e_t of that
+along the wall, from both sides; and they are where straight flight, impact and straight flight bring them.
+"""
+
+import os
+import sys
+import unittest
+
+import numpy
+
+HERE = os.path.dirname(os.path.realpath(__file__))
+sys.path.insert(0, HERE)
+sys.path.insert(0, os.path.join(HERE, ".."))
+
+import boxes  # noqa: E402
+import support  # noqa: E402
+from triangles import square, stl  # noqa: E402
+
+SIZE = (0.04, 0.04, 0.08)
+DIAMETER, RADIUS = 2e-3, 1e-3
+EN, ET = 0.7, 0.4
+END = 0.02
+
+
+def bounced(velocity, normal):
+    across = (velocity * normal).sum(axis=1, keepdims=True) * normal
+    return ET * (velocity - across) - EN * across
+
+
+def after_impact(position, velocity, time, normal):
+    """(positions, velocities) at END of what meets a wall of `normal` [n, 3] after `time` [n, 1]."""
+    then = bounced(velocity, normal)
+    return position + time * velocity + (END - time) * then, then
+
+
+class Walls(support.ProgramTest):
+    def fly(self, position, velocity, walls, step, files=()):
+        """(positions, velocities) at END, without gas, gravity and stress."""
+        box = boxes.Box(SIZE, (4, 4, 8), DIAMETER, 1000.0, position, velocity, en=EN, et=ET, walls=walls, step=step, end=END,
+                        integrator="fix move all mp_pic stress off\n", gas="model none;")  # fmt: skip
+        folder = box.write(os.path.join(self.root, f"flight{len(os.listdir(self.root))}"))
+        for name, text in files:
+            support.write(os.path.join(folder, name), text)
+        snapshots = self.run_case(folder).snapshots()
+        last = snapshots[max(snapshots)]
+        return last["position"], last["velocity"]
+
+    def off(self, found, expected):
+        """Largest distances of positions [r] and velocities [m/s]."""
+        return abs(found[0] - expected[0]).max() / RADIUS, abs(found[1] - expected[1]).max()
+
+    def towards(self, middle, normal, seed, count=40):
+        """Parcels on both sides of a plane that fly to within 6 mm of `middle` on it in 3 to 9 ms, at any angle up to 60 degrees."""
+        draw = numpy.random.default_rng(seed)
+        first = numpy.cross(normal, [0, 0, 1] if abs(normal[2]) < 0.9 else [1, 0, 0])
+        first /= numpy.linalg.norm(first)
+        along = numpy.stack([first, numpy.cross(normal, first)])
+        side = numpy.where(numpy.arange(count) % 2, 1.0, -1.0)[:, None]
+        target = middle + draw.uniform(-6e-3, 6e-3, (count, 2)) @ along + side * RADIUS * normal
+        velocity = draw.uniform(-0.6, 0.6, (count, 2)) @ along - side * draw.uniform(0.4, 0.8, (count, 1)) * normal
+        time = draw.uniform(3e-3, 9e-3, (count, 1))
+        return target - time * velocity, velocity, time, side
+
+    def test_planes(self):
+        for axis, name in enumerate("xyz"):
+            normal, middle = numpy.eye(3)[axis], numpy.array(SIZE) / 2
+            position, velocity, time, side = self.towards(middle, normal, axis)
+            found = self.fly(position, velocity, f"fix wall all wall/mp_pic primitive type 2 {name}plane {middle[axis]!r}\n", 1e-4)
+            place, faster = self.off(found, after_impact(position, velocity, time, side * -normal))
+            print(f"{name}plane: positions off by {place:.1e} r, velocities by {faster:.1e} m/s")
+            self.assertLess(max(place, faster), 1e-9)  # round-off of 200 steps
+
+    def test_triangles(self):
+        """A tilted square, of 2 large and of 162 irregular triangles: as the plane that they make, edges and corners too."""
+        normal, middle = numpy.array([2.0, -1, 3]) / numpy.sqrt(14), numpy.array(SIZE) / 2
+        first = numpy.cross(normal, [0, 0, 1.0])
+        along = 0.032 * first / numpy.linalg.norm(first)
+        across = numpy.cross(normal, along)
+        position, velocity, time, side = self.towards(middle, normal, 5)
+        for cells, seed in ((1, None), (9, 4)):
+            triangles = square(cells, middle - (along + across) / 2, along, across, seed)
+            # into the middle of an edge, and into a corner where several triangles meet
+            for k, target in enumerate((0.5 * (triangles[0][0] + triangles[0][2]), triangles[len(triangles) // 2][0])):
+                if numpy.linalg.norm(target - middle) < 8e-3:
+                    position[k] = target + side[k] * RADIUS * normal - time[k] * velocity[k]
+            walls = "fix sides all mesh/surface file dem/sides.stl type 2\nfix wall all wall/mp_pic mesh n_meshes 1 meshes sides\n"
+            found = self.fly(position, velocity, walls, 1e-4, [("dem/sides.stl", stl(triangles))])
+            place, faster = self.off(found, after_impact(position, velocity, time, side * -normal))
+            print(f"{len(triangles)} triangles: positions off by {place:.1e} r, velocities by {faster:.1e} m/s")
+            self.assertLess(max(place, faster), 1e-9)
+
+    def round_the_axis(self, axis, big, inside, seed):
+        """Parcels that meet a cylinder once before END; (position, velocity, time of impact, normal to the wall)."""
+        draw = numpy.random.default_rng(seed)
+        count, reach = 400, big - RADIUS if inside else big + RADIUS
+        angle, far = draw.uniform(0, 2 * numpy.pi, count), draw.uniform(0.2, 0.6, count) * reach if inside else draw.uniform(1.5, 2.2, count) * reach
+        flat = far[:, None] * numpy.column_stack([numpy.cos(angle), numpy.sin(angle)])
+        speed = draw.uniform(-1, 1, (count, 2))
+
+        def meeting(x, v):
+            """When |x + v t| comes to `reach`, from the side where the parcels are; infinite: never."""
+            a, b, c = (v**2).sum(axis=1), (x * v).sum(axis=1), (x**2).sum(axis=1) - reach**2
+            root = numpy.sqrt(numpy.maximum(b**2 - a * c, 0))
+            time = (-b + root if inside else -b - root) / a
+            return numpy.where((b**2 > a * c) & (time > 1e-9), time, numpy.inf)
+
+        time = meeting(flat, speed)
+        hit = flat + numpy.minimum(time, END)[:, None] * speed
+        outwards = hit / numpy.linalg.norm(hit, axis=1, keepdims=True)
+        again = meeting(hit, bounced(speed, outwards)) if inside else numpy.full(count, numpy.inf)
+        # no grazing: what misses by the length of a step is another flight
+        steep = abs((speed * outwards).sum(axis=1)) > 0.3 * numpy.linalg.norm(speed, axis=1)
+        chosen = numpy.flatnonzero((time > 1e-3) & (time < 0.9 * END) & (time + again > 1.1 * END) & steep)[:40]
+        self.assertEqual(len(chosen), 40)
+        place, velocity, normal = (numpy.zeros((40, 3)) for _ in range(3))
+        others = [(axis + 1) % 3, (axis + 2) % 3]
+        place[:, others], velocity[:, others], normal[:, others] = flat[chosen], speed[chosen], outwards[chosen] * (1 if inside else -1)
+        velocity[:, axis] = draw.uniform(-0.5, 0.5, 40)
+        return place + numpy.array(SIZE) / 2, velocity, time[chosen][:, None], normal
+
+    def test_cylinders(self):
+        """Inside and outside, along each axis. The wall is straight over a part of a step: first order in it."""
+        for axis, name in enumerate("xyz"):
+            for inside, big in ((True, 0.018), (False, 0.006)):
+                position, velocity, time, normal = self.round_the_axis(axis, big, inside, 10 + axis)
+                middle = numpy.array(SIZE) / 2
+                at = f"{middle[(axis + 1) % 3]!r} {middle[(axis + 2) % 3]!r}"
+                expected = after_impact(position, velocity, time, normal)
+                errors = []
+                for step in (1e-4, 1e-5):
+                    found = self.fly(position, velocity, f"fix wall all wall/mp_pic primitive type 2 {name}cylinder {big} {at}\n", step)
+                    place, faster = self.off(found, expected)
+                    errors.append(faster)
+                    print(f"{name}cylinder from {'inside' if inside else 'outside'}, step {step:g} s: positions off by {place:.1e} r, "
+                          f"velocities by {faster:.1e} m/s")  # fmt: skip
+                    # the normal is one of up to a step later, off by v dt/(R -+ r), and with it 1 + e_n of v; v^2 is below 2
+                    self.assertLess(faster, (1 + EN) * 2 * step / (big - RADIUS))
+                    self.assertLess(place * RADIUS, END * faster + 1e-9)
+                self.assertLess(errors[1], 0.3 * errors[0])
+
+
+if __name__ == "__main__":
+    unittest.main()
