@@ -11,9 +11,7 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
 endif()
 
 add_library(interphase_options INTERFACE)
-# Nobody replaces a function of ours at run time, so those of one file may be put into each other also where it goes into a
-# shared library (plug-ins are linked -Bsymbolic for the same reason).
-target_compile_options(interphase_options INTERFACE -Wall -Wextra -fno-semantic-interposition)
+target_compile_options(interphase_options INTERFACE -Wall -Wextra)
 if(INTERPHASE_NATIVE)
     target_compile_options(interphase_options INTERFACE -march=native)
 endif()
