@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "base/text.hpp"
 #include "base/user_error.hpp"
-#include "step/particle_trouble.hpp"
 
 namespace interphase {
 
@@ -24,24 +22,6 @@ const char* gas_description(const Settings& settings)
             return "none";
     }
     return "";
-}
-
-/// "weight 8", or "weights 1 to 27".
-std::string described(const Population& of)
-{
-    return of.lowest_weight == of.highest_weight
-               ? "weight " + text(of.lowest_weight)
-               : "weights " + text(of.lowest_weight) + " to " + text(of.highest_weight);
-}
-
-/// "11875 of weight 8, for 95000 real ones of 0.003256 m".
-std::string numbers(const Population& of)
-{
-    char real[32];
-    std::snprintf(real, sizeof real, "%.10g", of.real);
-    const std::string smallest = text(of.smallest_diameter), largest = text(of.largest_diameter);
-    return std::to_string(of.tracked) + " of " + described(of) + ", for " + real + " real ones of " + smallest +
-           (smallest == largest ? "" : " to " + largest) + " m";
 }
 
 /// "hard_sphere (/path/libhard_sphere.so: tdhs, wall/tdhs)", or "none".
@@ -101,110 +81,13 @@ CoupledRun::CoupledRun(int& argc, char**& argv)
     describe_run();
 }
 
-LockstepClock CoupledRun::choose_clock() const
-{
-    if (settings_.solid_step > 0) {
-        check_given_step();
-        return LockstepClock(settings_.solid_step);
-    }
-    const double longest = std::min(longest_solid_step(), solids_->step_limit().value_or(1e300));
-    const double gas_step = case_.gas_step();
-    return LockstepClock(case_.adjusts_gas_step() ? std::min(longest, gas_step) : dividing_step(gas_step, longest));
-}
-
-void CoupledRun::check_given_step() const
-{
-    const std::optional<double> contact = solids_->contact_duration(), limit = solids_->step_limit();
-    const double step = settings_.solid_step;
-    constexpr double slack = 1 + 1e-9;
-    constexpr double least_steps = 10;  // per collision; 10 to 60 are usual (paper, section 4.6)
-    if (resolves_contacts(settings_.method) && contact && step > *contact / least_steps * slack)
-        throw UserError("the solid step of " + text(step) +
-                            " s is too long for the contact model: its shortest "
-                            "collision lasts t_c = " +
-                            text(*contact) + " s",
-                        "system/couplingDict.particles, solidStep",
-                        "give at most t_c/" + text(least_steps) + " = " + text(*contact / least_steps) +
-                            " s (t_c/20 is a good start), or make the contacts softer");
-    if (limit && step > *limit * slack)
-        throw UserError("the solid step of " + text(step) + " s is longer than the " + text(*limit) +
-                            " s that a fix of the plug-ins bears",
-                        "system/couplingDict.particles, solidStep", "give at most that, or leave solidStep away");
-    if (step > case_.gas_step() * slack)
-        throw UserError(
-            "the solid step of " + text(step) + " s is longer than the gas step of " + text(case_.gas_step()) + " s",
-            "solidStep in system/couplingDict, deltaT in system/controlDict", "make deltaT a multiple of it");
-}
-
-double CoupledRun::longest_solid_step() const
-{
-    // eq. 28 of the paper: no longer than a gas step; what else it asks for is counted in every step
-    if (settings_.method == Method::mp_pic) return case_.gas_step();
-    if (settings_.largest_overlap > 0)
-        return settings_.largest_overlap * solids_->smallest_diameter() / settings_.impact_speed;
-    if (const std::optional<double> contact = solids_->contact_duration())
-        return *contact / settings_.steps_per_collision;
-    if (const std::optional<double> limit = solids_->step_limit()) return *limit;
-    if (resolves_contacts(settings_.method))
-        throw UserError("the contact model gives no collision time to derive the solid step from",
-                        "system/couplingDict.particles",
-                        "give `solidStep` in seconds (known: pair gran model hooke/stiffness)");
-    throw UserError(
-        "the script gives no stiffness and restitution to derive the solid step from", "system/couplingDict.particles",
-        "give `largestOverlap 0.01; impactSpeed 0.3;` with numbers of your scene, or `solidStep` in seconds, or "
-        "in the script fixes property/global kn and coefficientRestitution of a DEM with such overlaps");
-}
-
-void CoupledRun::refuse_empty_scene() const
-{
-    if (solids_->total_count() == 0)
-        throw UserError("there are no particles", settings_.script, "create or read some in the script");
-}
-
-void CoupledRun::check_weights()
-{
-    const ParticleView particles = solids_->particles();
-    comm_.fail_together(particle_trouble(particles, comm_.rank()));
-    at_start_ = counted(comm_, particles);
-    if (!particles.weight.differ()) return;
-    const std::string where = settings_.script + ", fix property/atom weight", method = name_of(settings_.method);
-    if (!tracks_parcels(settings_.method) && at_start_.highest_weight > 1)
-        throw UserError("the script gives particles weights up to " + text(at_start_.highest_weight) + ", and method " +
-                            method + " tracks real particles",
-                        where,
-                        std::string("leave the property away, or take method ") +
-                            (settings_.method == Method::dem ? "CGPM" : "CGHS"));
-    bool used = settings_.weight == 1;
-    for (std::size_t i = 0; i < particles.size() && !used; ++i)
-        used = particles.weight[i] == settings_.weight;
-    if (!comm_.any(used))
-        throw UserError("the case says `weight " + text(settings_.weight) + ";`, and the script gives its particles " +
-                            described(at_start_),
-                        "system/couplingDict, and " + where,
-                        "set `weight 1;` where the script decides, or take ${weight} in it");
-}
-
-void CoupledRun::check_scene() const
-{
-    if (!gas_ || settings_.mapping == MappingType::kernel) return;
-    const double diameter = solids_->largest_diameter();
-    double smallest = 1e300;
-    for (const Vector& extent : gas_->mesh().extent)
-        smallest = std::min(smallest, extent.minCoeff());
-    smallest = comm_.min(smallest);
-    if (smallest < diameter)
-        throw UserError("the smallest gas cell measures " + text(smallest) + " m, less than a tracked sphere of " +
-                            text(diameter) + " m, which `type cellCentre;` puts into one cell",
-                        "system/couplingDict.mapping", "set `type kernel;`, or use a coarser mesh");
-}
-
 void CoupledRun::describe_run()
 {
     const std::optional<double> contact = solids_->contact_duration();
     report_.head({{"interphase", solids_->version() + ", OpenFOAM " + case_.version()},
                   {"case", case_.name()},
                   {"method", name_of(settings_.method)},
-                  {"particles", numbers(at_start_)},
+                  {"particles", numbers_of(at_start_)},
                   {"plug-ins", described(solids_->plugins())},
                   {"gas", std::string(gas_description(settings_)) + (gas_ ? ", drag " + settings_.drag_law : "")},
                   {"steps", "gas " + text(gas_step_) + " s" + (case_.adjusts_gas_step() ? " at first" : "") +

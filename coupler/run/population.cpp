@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
+
+#include "base/text.hpp"
 
 namespace interphase {
 
@@ -23,6 +26,22 @@ Population counted(const Communicator& comm, const ParticleView& particles)
     return {comm.sum(mine.tracked),           comm.sum(mine.real),
             comm.min(mine.lowest_weight),     comm.max(mine.highest_weight),
             comm.min(mine.smallest_diameter), comm.max(mine.largest_diameter)};
+}
+
+std::string weights_of(const Population& all)
+{
+    return all.lowest_weight == all.highest_weight
+               ? "weight " + text(all.lowest_weight)
+               : "weights " + text(all.lowest_weight) + " to " + text(all.highest_weight);
+}
+
+std::string numbers_of(const Population& all)
+{
+    char real[32];
+    std::snprintf(real, sizeof real, "%.10g", all.real);
+    const std::string smallest = text(all.smallest_diameter), largest = text(all.largest_diameter);
+    return std::to_string(all.tracked) + " of " + weights_of(all) + ", for " + real + " real ones of " + smallest +
+           (smallest == largest ? "" : " to " + largest) + " m";
 }
 
 }  // namespace interphase

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+
 #include "base/communicator.hpp"
 #include "step/solids.hpp"
 
@@ -18,5 +20,11 @@ struct Population {
 
 /// Collective.
 Population counted(const Communicator& comm, const ParticleView& particles);
+
+/// "weight 8", or "weights 1 to 27".
+std::string weights_of(const Population& all);
+
+/// "11875 of weight 8, for 95000 real ones of 0.003256 m".
+std::string numbers_of(const Population& all);
 
 }  // namespace interphase
