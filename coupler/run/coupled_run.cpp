@@ -60,6 +60,7 @@ CoupledRun::CoupledRun(int& argc, char**& argv)
 {
     if (settings_.gas != GasModel::none) gas_ = case_.make_gas(settings_);
     solids_ = std::make_unique<LiggghtsSolids>(comm_, settings_);
+    at_start_ = counted(comm_, solids_->particles());
     refuse_empty_scene();
     check_weights();
     clock_ = choose_clock();

@@ -26,7 +26,7 @@ public:
 
 private:
     void refuse_empty_scene() const;
-    void check_weights();
+    void check_weights() const;
     void check_scene() const;
     LockstepClock choose_clock() const;
     void check_given_step() const;

@@ -65,15 +65,14 @@ double CoupledRun::longest_solid_step() const
 
 void CoupledRun::refuse_empty_scene() const
 {
-    if (solids_->total_count() == 0)
+    if (at_start_.tracked == 0)
         throw UserError("there are no particles", settings_.script, "create or read some in the script");
 }
 
-void CoupledRun::check_weights()
+void CoupledRun::check_weights() const
 {
     const ParticleView particles = solids_->particles();
     comm_.fail_together(particle_trouble(particles, comm_.rank()));
-    at_start_ = counted(comm_, particles);
     if (!particles.weight.differ()) return;
     const std::string where = settings_.script + ", fix property/atom weight", method = name_of(settings_.method);
     if (!tracks_parcels(settings_.method) && at_start_.highest_weight > 1)

@@ -289,7 +289,7 @@ void CouplingStep::begin_solid_stress(const ParticleView& particles, double dt)
     const StepTooLong found = stress_->begin(fluid_, homeward_record, visits_.order(), particles.mass, dt);
     too_long_.crossing_cells += found.crossing_cells;
     too_long_.beyond_relaxation += found.beyond_relaxation;
-    too_long_.longest = comm_.min(found.longest);
+    longest_step_ = comm_.min(found.longest);
 }
 
 void CouplingStep::leave_without_gas(const ParticleView& particles, std::size_t i)

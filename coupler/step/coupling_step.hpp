@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cfloat>
 #include <optional>
 #include <vector>
 
@@ -42,7 +43,7 @@ public:
     const Scalars& voidage() const { return voidage_; }
     bool has_solid_stress() const { return stress_.has_value(); }
     /// What the solid stress bore in the last gas step (eq. 28 of the paper), the same on all ranks [s].
-    double longest_step() const { return too_long_.longest; }
+    double longest_step() const { return longest_step_; }
 
     /// Collective.
     Interventions interventions() const;
@@ -105,7 +106,8 @@ private:
     long outside_ = 0;
     long relieved_ = 0;
     long beyond_range_ = 0;
-    StepTooLong too_long_;  ///< counts of the whole run; the longest step as the last one saw it
+    StepTooLong too_long_;           ///< its counts, of the whole run
+    double longest_step_ = DBL_MAX;  ///< of the last gas step [s]
     long particle_count_ = -1;
 };
 

@@ -3,11 +3,10 @@
 """cases/goldschmidt starts from the tutorials' particles, and `compare` measures every program's records alike."""
 
 import gzip
-import importlib.machinery
-import importlib.util
 import math
 import os
 import re
+import runpy
 import sys
 import unittest
 
@@ -18,16 +17,8 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.realpath(__file__)), "..
 import support  # noqa: E402
 
 CASE = os.path.join(support.SOURCE, "cases", "goldschmidt")
+COMPARE = runpy.run_path(os.path.join(CASE, "compare"))
 POSITIONS = "/usr/share/doc/openfoam-examples/examples/lagrangian/MPPICFoam/Goldschmidt/constant/kinematicCloudPositions.gz"
-
-
-def compare():
-    """The program `compare` of the case, as a module."""
-    loader = importlib.machinery.SourceFileLoader("goldschmidt_compare", os.path.join(CASE, "compare"))
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("goldschmidt_compare", loader))
-    sys.dont_write_bytecode = True
-    loader.exec_module(module)
-    return module
 
 
 def centres(folder):
@@ -56,7 +47,6 @@ class Start(support.ProgramTest):
         self.assertLess(found[:, 2].max(), 0.297)
         self.assertAlmostEqual(found[:, 2].mean(), 0.1485, delta=0.003)  # within a third of a layer of parcels
 
-
     def test_what_cannot_be_prepared_is_refused(self):
         for key, value, words in (("reach", 1.5, "'reach' in parameters must be between 0 and 1.*, is 1.5"),
                                   ("particleCount", 50000, "0.6 m high, the vessel is 0.45 m"),
@@ -77,13 +67,13 @@ class Measures(support.ProgramTest):
 
     def test_pressure_drop_is_the_same_on_both_meshes(self):
         for layers, across in ((45, 15), (90, 60)):
-            drop = compare().pressure_drop(self.fields(layers, across), layers, 0.45)
+            drop = COMPARE["pressure_drop"](self.fields(layers, across), layers, 0.45)
             self.assertTrue(math.isclose(drop, 395, rel_tol=1e-12), drop)
 
     def test_a_tutorial_that_differs_is_refused(self):
         support.write(os.path.join(self.root, "system/controlDict"), "endTime 7;\n")
         with self.assertRaises(SystemExit) as refused:
-            compare().changed(self.root, "system/controlDict", "endTime         5;", "endTime 1;")
+            COMPARE["changed"](self.root, "system/controlDict", "endTime         5;", "endTime 1;")
         self.assertRegex(str(refused.exception), r"'endTime         5;' does not stand in .*controlDict")
 
 

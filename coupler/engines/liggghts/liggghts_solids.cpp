@@ -187,8 +187,6 @@ double LiggghtsSolids::smallest_diameter() const
     return 2 * comm_.min(radius);
 }
 
-long LiggghtsSolids::total_count() const { return comm_.sum(static_cast<long>(lmp_->atom->nlocal)); }
-
 void LiggghtsSolids::start(double solid_step, long steps, bool with_gas)
 {
     const LastWords of_liggghts(comm_.is_master());

@@ -36,7 +36,6 @@ public:
 
     double largest_diameter() const;   ///< of the tracked spheres [m]. Collective.
     double smallest_diameter() const;  ///< of the tracked spheres [m]. Collective.
-    long total_count() const;          ///< Collective.
 
     /// Sets the step [s] and readies the run of about `steps` steps, with or without a gas. Collective.
     void start(double solid_step, long steps, bool with_gas);
