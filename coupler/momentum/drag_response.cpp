@@ -28,7 +28,8 @@ AssumedDrag assume_drag(double mass, double drag_rate, double held, const Vector
 {
     const double x = drag_rate * dt / mass;
     const double withheld = withheld_share(x);
-    return {drag_rate * (relaxed_share(x) + held * withheld), (1.0 - held) * mass * dt * withheld * acceleration};
+    const double following = (1.0 - held) * withheld;
+    return {drag_rate * (relaxed_share(x) + held * withheld), following * mass * dt * acceleration, following};
 }
 
 Vector free_change(double mass, double drag_rate, const Vector& slip, const Vector& acceleration, double dt)
@@ -37,14 +38,21 @@ Vector free_change(double mass, double drag_rate, const Vector& slip, const Vect
     return relaxed_share(x) * dt * (drag_rate / mass * slip + acceleration);
 }
 
-double held_by_contacts(const Vector& change, const Vector& free_change)
+Hold hold_of_contacts(const Vector& by_contacts, const Vector& without_contacts, double weight)
 {
-    const double expected = free_change.squaredNorm();
-    // m2/s2: a new particle, or one in balance. What it does is not known, and taking a free particle for held is the
-    // safe mistake: the gas then gives too little, once; the other way round it would be pushed back by dt k / m times
-    // too much.
-    if (expected < 1e-24) return 1.0;
-    return 1.0 - std::clamp(change.dot(free_change) / expected, 0.0, 1.0);
+    const double expected = without_contacts.norm();
+    if (expected <= 0) return {1.0, 0.0};
+    // shares of the weight: in a steady suspension the forces on a cell's solids differ from balance by less than the first
+    constexpr double balanced = 0.02, telling = 0.1;
+    const double known =
+        weight > 0 ? std::clamp((expected / weight - balanced) / (telling - balanced), 0.0, 1.0) : 1.0;
+    const double seen = std::clamp(-by_contacts.dot(without_contacts) / (expected * expected), 0.0, 1.0);
+    return {known * seen, 1.0 - known};
+}
+
+double stiffening(double drag_rate, double mass, double doubt, double dt)
+{
+    return doubt > 0 ? 0.5 * doubt * drag_rate * withheld_share(drag_rate * dt / mass) : 0.0;
 }
 
 }  // namespace interphase

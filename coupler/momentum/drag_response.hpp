@@ -10,7 +10,14 @@ namespace interphase {
 // of drag is
 //     J = m (1 - e^-x)(u - v) - m a (dt - (1 - e^-x) m/k).
 // A particle that its contacts hold in place takes k dt (u - v) instead. Both are J = kappa dt (u - v) - carried, with
-// kappa between m/dt (1 - e^-x) and k: that is what the gas solve treats implicitly, whatever x is.
+// kappa between m/dt (1 - e^-x) and k: that is what the gas solve treats implicitly, whatever x is. With a = g + F_p/m,
+// F_p the pressure force of the same step, the impulse of drag and pressure together is
+//     kappa dt (u - v) + (1 - y) dt F_p - y m dt g,   y the share 1 - (1 - e^-x)/x of a free particle, 0 of a held one:
+// drag gives back the share y of what pressure and gravity do. Over the step the free particle moves at
+//     v + y (u - v + (g + F_p/m) m/k)
+// on average, so y is also how far its motion follows the gas. Both are linear in u and grad p, and both belong into the
+// gas solve: where continuity fixes the flux, a pressure force or a motion of the last step makes suspensions diverge
+// from a gas step of about one relaxation time on.
 
 /// (1 - e^-x)/x, 1 at x = 0: the share of a constant force that changes the velocity of a particle with drag.
 double relaxed_share(double x);
@@ -20,8 +27,9 @@ double withheld_share(double x);
 
 /// What the gas solve assumes of a particle's drag impulse over a step: J = kappa dt (u - v) - carried.
 struct AssumedDrag {
-    double kappa;    ///< [kg/s]
-    Vector carried;  ///< what other forces take over from drag [kg m/s]
+    double kappa;      ///< [kg/s]
+    Vector carried;    ///< what other forces take over from drag [kg m/s]
+    double following;  ///< y above, 0 to 1: the share of other forces that drag gives back
 
     Vector impulse(const Vector& gas_velocity, const Vector& velocity, double dt) const
     {
@@ -29,15 +37,30 @@ struct AssumedDrag {
     }
 };
 
-/// `held` in [0, 1]: how far contacts held the particle in the last step (see held_by_contacts); `acceleration` a
-/// [m/s2]: gravity and pressure gradient.
+/// `held` in [0, 1]: how far contacts hold the particle (see Hold); `acceleration` a [m/s2]: that of other
+/// forces, as far as they are known before the gas solve.
 AssumedDrag assume_drag(double mass, double drag_rate, double held, const Vector& acceleration, double dt);
 
 /// The change of velocity over dt of a particle without contacts [m/s].
 Vector free_change(double mass, double drag_rate, const Vector& slip, const Vector& acceleration, double dt);
 
-/// 1 where the particle did not answer to the gas at all, or where nothing is known of it (`free_change` 0); 0 where it
-/// moved as a free one.
-double held_by_contacts(const Vector& change, const Vector& free_change);
+/// What is known of the contacts that solids bear.
+struct Hold {
+    double held;   ///< 0 (free) to 1: how far contacts take up what other forces do
+    double doubt;  ///< 0 to 1: how far that is a guess
+};
+
+/// How contacts held the solids of a cell in the last step: from the sums over its particles of m times the velocity
+/// change by contacts and of m times the change without contacts [kg m/s]. Contacts inside the cell cancel in the first,
+/// so collisions say nothing. `weight` [kg m/s]: what gravity alone would have given. Where the second is well below it,
+/// forces balance, which tells nothing of contacts: such solids count as free, in doubt. Where there is nothing at all, the
+/// answer is held: a gas step that takes free particles for held gives them too little, once; the other way round they
+/// would be pushed back by dt k / m times too much.
+Hold hold_of_contacts(const Vector& by_contacts, const Vector& without_contacts, double weight);
+
+/// Rate [kg/s] that the gas solve adds to kappa where there is `doubt`, on the change of the gas velocity from the last
+/// step: half of what is between the free particle's rate and the held one's. The lagged correction of what the particles
+/// took converges then whichever of the two they are, at (1 + 2/x)^-1/2 a step.
+double stiffening(double drag_rate, double mass, double doubt, double dt);
 
 }  // namespace interphase

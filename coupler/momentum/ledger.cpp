@@ -13,6 +13,8 @@ void Ledger::book(const Transactions& mine, const Vector& assumed_at_start, bool
         sums.insert(sums.end(), v->data(), v->data() + 3);
     sums.push_back(mine.solid_volume_in_cells);
     sums.push_back(mine.solid_volume_of_particles);
+    for (const double volume : {mine.gas_volume, mine.gas_in, mine.gas_out})
+        sums.push_back(volume);
     comm_.sum(sums);
 
     const auto vector = [&](std::size_t n) { return Vector(sums[3 * n], sums[3 * n + 1], sums[3 * n + 2]); };
@@ -24,6 +26,10 @@ void Ledger::book(const Transactions& mine, const Vector& assumed_at_start, bool
 
     const double in_cells = sums[15], of_particles = sums[16];
     volume_residual_ = of_particles > 0 ? std::abs(in_cells - of_particles) / of_particles : 0.0;
+
+    const double gas = sums[17], net_inflow = sums[18] - sums[19];
+    gas_expected_ = gas_expected_ ? *gas_expected_ + net_inflow : gas;
+    gas_volume_residual_ = gas > 0 ? std::abs(gas - *gas_expected_) / gas : 0.0;
 }
 
 double Ledger::momentum_residual() const

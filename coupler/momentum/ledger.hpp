@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "base/communicator.hpp"
 
 namespace interphase {
 
-/// One gas step's impulses between gas and particles [kg m/s], and solid volumes [m3], on one rank.
+/// One gas step's impulses between gas and particles [kg m/s], and volumes [m3], on one rank.
 struct Transactions {
     Vector given_by_gas = Vector::Zero();          ///< from the cells' side: drag and pressure gradient
     Vector taken_by_particles = Vector::Zero();    ///< from the particles' side, summed over the substeps
@@ -13,10 +15,12 @@ struct Transactions {
     Vector assumed_of_particles = Vector::Zero();  ///< what the gas step assumed, of those still there
     double solid_volume_in_cells = 0;
     double solid_volume_of_particles = 0;
+    double gas_volume = 0;            ///< of all cells at the end, cell by cell what was there less what flowed out
+    double gas_in = 0, gas_out = 0;   ///< across the boundary of the mesh
 };
 
-/// Keeps the books of momentum and solid volume over a run. The two sides of each are summed independently, one over
-/// the cells and one over the particles.
+/// Keeps the books of momentum, solid volume and gas volume over a run. The two sides of each are summed independently,
+/// one over the cells and one over the particles or the boundary.
 class Ledger {
 public:
     explicit Ledger(const Communicator& comm) : comm_(comm) {}
@@ -31,6 +35,9 @@ public:
     /// Solid volume in the cells against that of the particles, relative to the total, in the last step.
     double volume_residual() const { return volume_residual_; }
 
+    /// |gas volume of the cells - what was there at first - in + out| over all steps, relative to the volume of gas.
+    double gas_volume_residual() const { return gas_volume_residual_; }
+
     double exchanged() const { return exchanged_; }
     const Vector& carried_off() const { return carried_off_; }
 
@@ -42,6 +49,8 @@ private:
     Vector carried_off_ = Vector::Zero();
     double exchanged_ = 0;
     double volume_residual_ = 0;
+    std::optional<double> gas_expected_;  ///< by the boundary's side [m3]
+    double gas_volume_residual_ = 0;
 };
 
 }  // namespace interphase

@@ -14,10 +14,10 @@ struct ParticleCoupling {
     CellAddress home;                       ///< gas cell that held the centre
     double assumed_impulse[3] = {0, 0, 0};  ///< of drag and pressure, by the gas solve [kg m/s]
 
-    // only what the next step's assumption starts from, hence single precision
-    float pressure_force[3] = {0, 0, 0};  ///< of the last gas step [N]
-    float start_velocity[3] = {0, 0, 0};  ///< at the start of the gas step [m/s]
+    // only what tells how far contacts held it in the last gas step, hence single precision
+    float start_velocity[3] = {0, 0, 0};  ///< with which it began the gas step [m/s]
     float free_change[3] = {0, 0, 0};     ///< velocity change it would see without contacts [m/s]
+    float response_time = 0;  ///< by which a constant acceleration changes its velocity; 0: nothing is known of it [s]
 };
 
 template <class Number>

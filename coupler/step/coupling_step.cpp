@@ -11,25 +11,33 @@ namespace interphase {
 namespace {
 
 /// What a particle brings to its gas cell. One-way scenes send the first eight entries only, those with solid stress
-/// the mass, too.
+/// four more at the end: momentum and mass.
 enum VisitorEntry {
     position = 0,
-    velocity = 3,
+    velocity = 3,  // with which it begins the step
     diameter = 6,  // of the real particle
     volume = 7,    // of solids in the tracked one
-    mass = 8,
-    held = 9,  // by contacts, 0 to 1
-    acceleration = 10,
-    pending = 13,
-    two_way_record = 16,
     one_way_record = 8,
-    one_way_record_with_stress = 9,
+    mass = 8,
+    pending = 9,
+    by_contacts = 12,       // what the last step changed in its momentum
+    without_contacts = 15,  // and would have
+    weight = 18,            // and gravity alone, with drag
+    two_way_record = 19,
 };
+constexpr std::size_t held_record = two_way_record - by_contacts;
+constexpr std::size_t momentum_record = 4;
 
-/// What it takes home: drag rate, gas velocity, pressure gradient, and what a StressExchange adds.
-constexpr std::size_t homeward_record = 7;
+/// What it takes home: drag rate, gas velocity, pressure gradient, what the gas solve assumed of its impulse, and what a
+/// StressExchange adds.
+constexpr std::size_t homeward_record = 10;
 
-Vector vector_at(const Scalars& flat, std::size_t start) { return {flat[start], flat[start + 1], flat[start + 2]}; }
+/// What goes to the cells of a particle: kappa, source (3), following, mobility, flux (3).
+constexpr std::size_t demand_record = 9;
+
+Vector to_vector(const double* v) { return {v[0], v[1], v[2]}; }
+
+Vector vector_at(const Scalars& flat, std::size_t start) { return to_vector(&flat[start]); }
 
 void put(double* start, const Vector& v) { std::copy_n(v.data(), 3, start); }
 
@@ -59,15 +67,15 @@ CouplingStep::CouplingStep(const Communicator& comm, const Settings& settings, G
       stress_model_(solids.solid_stress()),
       voidage_(gas.mesh().size(), 1.0),
       solid_volume_(gas.mesh().size(), 0.0),
-      exchange_rate_(gas.mesh().size(), 0.0),
-      exchange_source_(3 * gas.mesh().size(), 0.0)
+      hold_(gas.mesh().size(), Hold{1.0, 0.0}),
+      demand_(gas.mesh().size())
 {
     if (stress_model_) stress_.emplace(comm_, gas_, mapping_, *stress_model_);
 }
 
 std::size_t CouplingStep::visitor_width() const
 {
-    return settings_.two_way ? two_way_record : stress_ ? one_way_record_with_stress : one_way_record;
+    return (settings_.two_way ? two_way_record : one_way_record) + (stress_ ? momentum_record : 0);
 }
 
 std::size_t CouplingStep::homeward_width() const { return homeward_record + (stress_ ? StressExchange::width : 0); }
@@ -79,6 +87,7 @@ void CouplingStep::advance(double dt, int substeps)
     bring_particles_to_their_cells();
     map_voidage();
     map_solid_stress();
+    if (settings_.two_way) judge_contacts();
     map_drag(dt);
     solve_gas(dt);
     return_gas_to_particles(dt);
@@ -110,16 +119,19 @@ void CouplingStep::bring_particles_to_their_cells()
     for (const std::size_t i : visits_.order()) {
         const auto column = static_cast<Eigen::Index>(i);
         put(&records_[r + position], particles.position.col(column));
-        put(&records_[r + velocity], particles.velocity.col(column));
+        put(&records_[r + velocity], starting_velocity(particles, i));
         if (particles.weight[i] != weight) {
             weight = particles.weight[i];
             per_real = 1.0 / std::cbrt(weight);
         }
         records_[r + diameter] = 2 * particles.radius[column] * per_real;
         records_[r + volume] = sphere_volume(particles.radius[column]);
-        if (stress_) records_[r + mass] = particles.mass[column];
         if (settings_.two_way) pack_for_two_way(particles, i, &records_[r]);
         r += width;
+        if (stress_) {
+            put(&records_[r - momentum_record], particles.mass[column] * particles.velocity.col(column));
+            records_[r - 1] = particles.mass[column];
+        }
     }
     visits_.bring(records_, static_cast<int>(width), visitors_);
 }
@@ -130,10 +142,39 @@ void CouplingStep::pack_for_two_way(const ParticleView& particles, std::size_t i
     const ParticleCoupling& own = particles.coupling[i];
     const double m = particles.mass[column];
     record[mass] = m;
-    record[held] =
-        held_by_contacts(particles.velocity.col(column) - to_vector(own.start_velocity), to_vector(own.free_change));
-    put(record + acceleration, solids_.gravity() + to_vector(own.pressure_force) / m);
     put(record + pending, solid_step_ * particles.booked_force(i) - to_vector(own.assumed_impulse));
+    if (own.response_time <= 0) {
+        std::fill_n(record + by_contacts, held_record, 0.0);
+        return;
+    }
+    const Vector expected = to_vector(own.free_change);
+    const Vector change = to_vector(record + velocity) - to_vector(own.start_velocity);
+    put(record + by_contacts, m * (change - expected));
+    put(record + without_contacts, m * expected);
+    record[weight] = m * own.response_time * solids_.gravity().norm();
+}
+
+Vector CouplingStep::starting_velocity(const ParticleView& particles, std::size_t i) const
+{
+    const auto column = static_cast<Eigen::Index>(i);
+    const Vector v = particles.velocity.col(column);
+    if (!solids_.kicks_before_moving()) return v;
+    // a particle that still rests where it rested is not moved by anyone, whatever pushes it
+    if (v == Vector::Zero() && to_vector(particles.coupling[i].start_velocity) == v) return v;
+    return v + 0.5 * solid_step_ / particles.mass[column] * particles.force.col(column);
+}
+
+void CouplingStep::judge_contacts()
+{
+    const std::size_t width = visitor_width();
+    Scalars changes(held_record * visits_.visitors());
+    for (std::size_t i = 0; i < visits_.visitors(); ++i)
+        std::copy_n(&visitors_[i * width + by_contacts], held_record, &changes[i * held_record]);
+    const Scalars sums = mapping_.to_cells(changes, held_record);
+    for (std::size_t c = 0; c < hold_.size(); ++c) {
+        const double* of_cell = &sums[c * held_record];
+        hold_[c] = hold_of_contacts(to_vector(of_cell), to_vector(of_cell + 3), of_cell[6]);
+    }
 }
 
 void CouplingStep::map_voidage()
@@ -166,53 +207,83 @@ void CouplingStep::map_solid_stress()
 {
     if (!stress_) return;
     const std::size_t width = visitor_width();
-    Scalars momenta(4 * visits_.visitors());
-    for (std::size_t i = 0; i < visits_.visitors(); ++i) {
-        const double m = visitors_[i * width + mass];
-        put(&momenta[4 * i], m * vector_at(visitors_, i * width + velocity));
-        momenta[4 * i + 3] = m;
-    }
+    Scalars momenta(momentum_record * visits_.visitors());
+    for (std::size_t i = 0; i < visits_.visitors(); ++i)
+        std::copy_n(&visitors_[(i + 1) * width - momentum_record], momentum_record, &momenta[i * momentum_record]);
     stress_->compute(solid_volume_, momenta);
 }
 
 void CouplingStep::map_drag(double dt)
 {
-    const std::size_t width = visitor_width();
+    const std::size_t width = visitor_width(), seen_width = 6;
     const Scalars gas_velocity = gas_.velocity();
-    Scalars seen_by_cells(4 * voidage_.size());
+    Scalars seen_by_cells(seen_width * voidage_.size());
     for (std::size_t c = 0; c < voidage_.size(); ++c) {
-        seen_by_cells[4 * c] = voidage_[c];
-        std::copy_n(&gas_velocity[3 * c], 3, &seen_by_cells[4 * c + 1]);
+        double* seen = &seen_by_cells[seen_width * c];
+        seen[0] = voidage_[c];
+        std::copy_n(&gas_velocity[3 * c], 3, seen + 1);
+        seen[4] = hold_[c].held;
+        seen[5] = hold_[c].doubt;
     }
-    mapping_.to_particles(seen_by_cells, 4, seen_);
+    mapping_.to_particles(seen_by_cells, seen_width, seen_);
 
     drag_rates_.resize(visits_.visitors());
-    demands_.resize(settings_.two_way ? 4 * visits_.visitors() : 0);
+    demands_.resize(settings_.two_way ? demand_record * visits_.visitors() : 0);
     for (std::size_t i = 0; i < visits_.visitors(); ++i) {
         const double* record = &visitors_[i * width];
-        const double eps = seen_[4 * i];
-        const Vector own_velocity = vector_at(visitors_, i * width + velocity);
-        const double slip = (vector_at(seen_, 4 * i + 1) - own_velocity).norm();
+        const double eps = seen_[seen_width * i];
+        const Vector own_velocity = to_vector(record + velocity);
+        const double slip = (vector_at(seen_, seen_width * i + 1) - own_velocity).norm();
         const double d = record[diameter];
         const double reynolds = eps * gas_.density() * slip * d / gas_.viscosity();
         beyond_range_ += eps < law_.voidage_min || eps > law_.voidage_max || reynolds > law_.reynolds_max;
         drag_rates_[i] = record[volume] * drag_rate_per_volume(law_, eps, slip, d, gas_.density(), gas_.viscosity());
-        if (!settings_.two_way) continue;
-
-        const AssumedDrag drag =
-            assume_drag(record[mass], drag_rates_[i], record[held], vector_at(visitors_, i * width + acceleration), dt);
-        // kappa, and the part of the force that does not wait for the gas solve
-        demands_[4 * i] = drag.kappa;
-        put(&demands_[4 * i + 1],
-            drag.kappa * own_velocity + (drag.carried - vector_at(visitors_, i * width + pending)) / dt);
+        if (settings_.two_way) write_demand(record, drag_rates_[i], &seen_[seen_width * i], dt, &demands_[demand_record * i]);
     }
-    if (!settings_.two_way) return;
+    if (settings_.two_way) map_demands(dt);
+}
 
-    const Scalars contents = mapping_.to_cells(demands_, 4);
+void CouplingStep::write_demand(const double* record, double drag_rate, const double* seen, double dt,
+                                double* demand) const
+{
+    const Vector v = to_vector(record + velocity), last_gas_velocity = to_vector(seen + 1), g = solids_.gravity();
+    const double held = seen[4], doubt = seen[5];
+    const AssumedDrag drag = assume_drag(record[mass], drag_rate, held, g, dt);
+    const double stiff = stiffening(drag_rate, record[mass], doubt, dt);
+    const double following = drag.following * record[volume];
+    const double per_rate = drag_rate > 0 ? 1.0 / drag_rate : 0.0;
+    demand[0] = drag.kappa + stiff;
+    // the part of the force that does not wait for the gas solve
+    put(demand + 1, drag.kappa * v + stiff * last_gas_velocity + (drag.carried - to_vector(record + pending)) / dt);
+    demand[4] = following;
+    demand[5] = following * record[volume] * per_rate;
+    put(demand + 6, (record[volume] - following) * v + following * record[mass] * per_rate * g);
+}
+
+Vector CouplingStep::assumed_impulse(std::size_t visitor, const Vector& gas_velocity, const Vector& pressure_gradient,
+                                     double dt) const
+{
+    const double *record = &visitors_[visitor_width() * visitor], *demand = &demands_[demand_record * visitor];
+    const Vector drag = dt * (demand[0] * gas_velocity - to_vector(demand + 1)) - to_vector(record + pending);
+    return drag - dt * (record[volume] - demand[4]) * pressure_gradient;
+}
+
+void CouplingStep::map_demands(double dt)
+{
+    const Scalars contents = mapping_.to_cells(demands_, demand_record);
+    if (gas_volume_.empty())
+        for (std::size_t c = 0; c < voidage_.size(); ++c)
+            gas_volume_.push_back(voidage_[c] * gas_.mesh().volume[c]);
     for (std::size_t c = 0; c < voidage_.size(); ++c) {
-        const double per_volume = 1.0 / gas_.mesh().volume[c];
-        exchange_rate_[c] = contents[4 * c] * per_volume;
-        put(&exchange_source_[3 * c], per_volume * vector_at(contents, 4 * c + 1));
+        const double* content = &contents[demand_record * c];
+        const double volume = gas_.mesh().volume[c], per_volume = 1.0 / volume;
+        demand_.rate[c] = content[0] * per_volume;
+        put(&demand_.source[3 * c], per_volume * to_vector(content + 1));
+        demand_.following[c] = content[4] * per_volume;
+        demand_.mobility[c] = content[5] * per_volume;
+        put(&demand_.flux[3 * c], per_volume * to_vector(content + 6));
+        demand_.gas_share[c] = gas_volume_[c] * per_volume;
+        demand_.surplus[c] = (demand_.gas_share[c] - voidage_[c]) / dt;
     }
 }
 
@@ -222,7 +293,15 @@ void CouplingStep::solve_gas(double dt)
     comm_.barrier();
     stopwatch_.switch_to(Phase::gas);
     if (settings_.two_way) gas_.set_voidage(voidage_);
-    gas_.solve(dt, exchange_rate_, exchange_source_);
+    gas_.solve(dt, demand_);
+    if (!settings_.two_way) return;
+    const Scalars outflow = gas_.outflow();
+    for (std::size_t c = 0; c < voidage_.size(); ++c)
+        gas_volume_[c] -= outflow[c];
+    const Crossing crossing = gas_.crossing();
+    transactions_.gas_in = crossing.in;
+    transactions_.gas_out = crossing.out;
+    transactions_.gas_volume = sum(gas_volume_);
 }
 
 void CouplingStep::return_gas_to_particles(double dt)
@@ -232,9 +311,10 @@ void CouplingStep::return_gas_to_particles(double dt)
     const Scalars gradient = gas_.pressure_gradient();
     if (settings_.two_way)
         for (std::size_t c = 0; c < voidage_.size(); ++c) {
-            const Vector drag = exchange_rate_[c] * vector_at(gas_velocity, 3 * c) - vector_at(exchange_source_, 3 * c);
-            transactions_.given_by_gas +=
-                dt * (gas_.mesh().volume[c] * drag - solid_volume_[c] * vector_at(gradient, 3 * c));
+            const double volume = gas_.mesh().volume[c];
+            const Vector drag = demand_.rate[c] * vector_at(gas_velocity, 3 * c) - vector_at(demand_.source, 3 * c);
+            const double pressed = solid_volume_[c] - volume * demand_.following[c];
+            transactions_.given_by_gas += dt * (volume * drag - pressed * vector_at(gradient, 3 * c));
         }
 
     Scalars seen_by_cells(6 * voidage_.size());
@@ -249,6 +329,8 @@ void CouplingStep::return_gas_to_particles(double dt)
         double* answer = &answers_[width * i];
         answer[0] = drag_rates_[i];
         std::copy_n(&seen_[6 * i], 6, answer + 1);
+        put(answer + 7, settings_.two_way ? assumed_impulse(i, to_vector(answer + 1), to_vector(answer + 4), dt)
+                                          : Vector::Zero());
         if (stress_) stress_->write_answer(i, visits_.cells()[i], answer + homeward_record);
     }
 
@@ -262,22 +344,20 @@ void CouplingStep::return_gas_to_particles(double dt)
     for (const std::size_t i : visits_.order()) {
         const auto column = static_cast<Eigen::Index>(i);
         const double m = particles.mass[column];
-        const Vector v = particles.velocity.col(column);
+        const Vector v = starting_velocity(particles, i);
         const Vector u = vector_at(fluid_, f + 1);
         ParticleCoupling& own = particles.coupling[i];
 
-        const double was_held = held_by_contacts(v - to_vector(own.start_velocity), to_vector(own.free_change));
-        const Vector old_acceleration = solids_.gravity() + to_vector(own.pressure_force) / m;
+        const double k = fluid_[f];
         const Vector pressure_force = -sphere_volume(particles.radius[column]) * vector_at(fluid_, f + 4);
-        const Vector assumed =
-            assume_drag(m, fluid_[f], was_held, old_acceleration, dt).impulse(u, v, dt) + dt * pressure_force;
+        const Vector assumed = vector_at(fluid_, f + 7);
 
-        particles.fluid[i] = FluidForce(m, fluid_[f], u, pressure_force, solid_step_);
+        particles.fluid[i] = FluidForce(m, k, u, pressure_force, solid_step_);
         std::fill_n(particles.booked + 3 * i, 3, 0.0);
-        set(own.pressure_force, pressure_force);
         set(own.assumed_impulse, assumed);
         set(own.start_velocity, v);
-        set(own.free_change, free_change(m, fluid_[f], u - v, solids_.gravity() + pressure_force / m, dt));
+        set(own.free_change, free_change(m, k, u - v, solids_.gravity() + pressure_force / m, dt));
+        own.response_time = static_cast<float>(dt * relaxed_share(k * dt / m));
         assumed_at_start_ += assumed;
         f += width;
     }
@@ -299,8 +379,7 @@ void CouplingStep::leave_without_gas(const ParticleView& particles, std::size_t 
     // what the gas still owes for its last step with gas stays on the books until it comes back, or leaves for good
     set(own.assumed_impulse, to_vector(own.assumed_impulse) - solid_step_ * particles.booked_force(i));
     std::fill_n(particles.booked + 3 * i, 3, 0.0);
-    set(own.pressure_force, Vector::Zero());
-    set(own.free_change, Vector::Zero());
+    own.response_time = 0;
     assumed_at_start_ += to_vector(own.assumed_impulse);
 }
 

@@ -9,6 +9,7 @@
 #include "exchange/home_search.hpp"
 #include "exchange/visits.hpp"
 #include "mapping/mapping.hpp"
+#include "momentum/drag_response.hpp"
 #include "momentum/ledger.hpp"
 #include "records/stopwatch.hpp"
 #include "settings/settings.hpp"
@@ -56,7 +57,12 @@ private:
     void bring_particles_to_their_cells();
     void map_voidage();
     void map_solid_stress();
+    void judge_contacts();
     void map_drag(double dt);
+    void write_demand(const double* record, double drag_rate, const double* seen, double dt, double* demand) const;
+    Vector assumed_impulse(std::size_t visitor, const Vector& gas_velocity, const Vector& pressure_gradient,
+                           double dt) const;
+    void map_demands(double dt);
     void solve_gas(double dt);
     void return_gas_to_particles(double dt);
     void leave_without_gas(const ParticleView& particles, std::size_t i);
@@ -67,6 +73,7 @@ private:
     std::size_t visitor_width() const;
     std::size_t homeward_width() const;
     void begin_solid_stress(const ParticleView& particles, double dt);
+    Vector starting_velocity(const ParticleView& particles, std::size_t i) const;
     void pack_for_two_way(const ParticleView& particles, std::size_t i, double* record) const;
     void refuse_particles_outside(const ParticleView& particles) const;
     void refuse_loss(const ParticleView& particles, long lost) const;
@@ -98,8 +105,9 @@ private:
     Scalars drag_rates_;                     ///< of the visitors [kg/s]
     Scalars voidage_;                        ///< own cells
     Scalars solid_volume_;                   ///< own cells [m3]
-    Scalars exchange_rate_;                  ///< own cells [kg/(m3 s)]
-    Scalars exchange_source_;                ///< own cells [n x 3, N/m3]
+    std::vector<Hold> hold_;                 ///< own cells: by contacts
+    Scalars gas_volume_;                     ///< own cells, by what has flowed in and out [m3]
+    Demand demand_;
     Transactions transactions_;
     Vector assumed_at_start_ = Vector::Zero();
     double solid_step_ = 0;

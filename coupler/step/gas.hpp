@@ -9,6 +9,31 @@
 
 namespace interphase {
 
+/// What the solids ask of the gas in one step, on this rank's cells [n]; vectors are flat, [n x 3].
+///
+/// On the gas acts source - rate * u [N/m3], and the gradient of the full pressure on the share voidage + following of
+/// the volume; the solids' own flux over the step is flux + following * u - mobility * grad p [m/s], all of it with u and
+/// grad p of the end of the step.
+struct Demand {
+    explicit Demand(std::size_t cells)
+        : gas_share(cells, 1.0), rate(cells, 0.0), source(3 * cells, 0.0), following(cells, 0.0),
+          mobility(cells, 0.0), flux(3 * cells, 0.0), surplus(cells, 0.0)
+    {}
+
+    Scalars gas_share;  ///< volume of gas there is, by what has flowed in and out, over that of the cell
+    Scalars rate;       ///< [kg/(m3 s)]
+    Scalars source;     ///< [n x 3, N/m3]
+    Scalars following;  ///< solid volume that follows the gas, a share of the whole volume, 0 to 1
+    Scalars mobility;   ///< [m3 s/kg]
+    Scalars flux;       ///< [n x 3, m/s]
+    Scalars surplus;    ///< gas volume that has to leave beside what the solids push out, per volume and time [1/s]
+};
+
+/// Gas volume that crossed the outer boundary of this rank's part in a step [m3].
+struct Crossing {
+    double in = 0, out = 0;
+};
+
 /// The gas on this rank's cells [n]. Cell vectors are flat, [n x 3].
 class Gas {
 public:
@@ -19,12 +44,16 @@ public:
     virtual double density() const = 0;    ///< [kg/m3]
     virtual double viscosity() const = 0;  ///< [Pa s]
 
-    /// The voidage at the start of the coming step [n]; its rate of change follows from the last one.
+    /// The voidage at the start of the coming step [n].
     virtual void set_voidage(const Scalars& voidage) = 0;
 
-    /// Advances by `dt` [s] with the force source - rate * u [N/m3] on the gas, u implicit. `rate` [n, kg/(m3 s)],
-    /// `source` [n x 3, N/m3]. Collective.
-    virtual void solve(double dt, const Scalars& rate, const Scalars& source) = 0;
+    /// Advances by `dt` [s], so that gas and solids together keep the volume: per cell, the gas that leaves and the
+    /// solids that leave are the surplus. Collective.
+    virtual void solve(double dt, const Demand& demand) = 0;
+
+    /// Gas volume that left each cell in the last step, net [n, m3].
+    virtual Scalars outflow() const = 0;
+    virtual Crossing crossing() const = 0;  ///< in the last step
 
     virtual Scalars velocity() const = 0;           ///< [n x 3, m/s]
     virtual Scalars pressure_gradient() const = 0;  ///< of the full pressure [n x 3, Pa/m]

@@ -35,6 +35,10 @@ public:
     virtual ParticleView particles() = 0;
     virtual Vector gravity() const = 0;  ///< [m/s2]
 
+    /// How a substep goes: half a kick by the forces that `particles` shows, then the drift (velocity Verlet, LIGGGHTS's
+    /// own integrators), or the drift first.
+    virtual bool kicks_before_moving() const { return true; }
+
     /// Whether the scene may remove particles on purpose (so that fewer are not a loss).
     virtual bool may_remove_particles() const = 0;
 

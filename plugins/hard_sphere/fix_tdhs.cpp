@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
 
 #include "atom.h"
 #include "comm.h"
+#include "engines/liggghts/plugin.hpp"
 #include "error.h"
 #include "fix_gravity.h"
 #include "hard_sphere/fix_wall_tdhs.hpp"
@@ -65,6 +67,13 @@ void FixTdhs::post_run()
 }
 
 int FixTdhs::setmask() { return LAMMPS_NS::FixConst::INITIAL_INTEGRATE | LAMMPS_NS::FixConst::FINAL_INTEGRATE; }
+
+void* FixTdhs::extract(const char* name, int& dimension)
+{
+    static int yes = 1;
+    dimension = 0;
+    return std::strcmp(name, extract_moves_before_forces) == 0 ? &yes : nullptr;
+}
 
 void FixTdhs::ask_gravity()
 {

@@ -32,6 +32,7 @@ public:
     ~FixTdhs() override;
 
     int setmask() override;
+    void* extract(const char* name, int& dimension) override;
     void init() override;
     void setup(int) override;
     void initial_integrate(int) override;

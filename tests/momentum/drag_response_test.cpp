@@ -83,15 +83,63 @@ TEST(AssumedDrag, WithoutDragThereIsNone)
     EXPECT_EQ(none.carried, Vector::Zero());
 }
 
-TEST(HeldByContacts, TellsFreeFromHeld)
+TEST(Hold, TellsFreeFromHeld)
 {
     const Vector expected(0.1, 0, -0.3);
-    EXPECT_EQ(held_by_contacts(expected, expected), 0.0);
-    EXPECT_EQ(held_by_contacts(Vector::Zero(), expected), 1.0);
-    EXPECT_EQ(held_by_contacts(-expected, expected), 1.0);     // pushed back: not more than held
-    EXPECT_EQ(held_by_contacts(3 * expected, expected), 0.0);  // pushed along: not less than free
-    EXPECT_NEAR(held_by_contacts(0.25 * expected, expected), 0.75, rounding);
-    EXPECT_EQ(held_by_contacts(Vector::Zero(), Vector::Zero()), 1.0);  // a new particle: the safe guess
+    const double weight = 0.3;
+    const auto held = [&](const Vector& by_contacts) { return hold_of_contacts(by_contacts, expected, weight).held; };
+    EXPECT_EQ(held(Vector::Zero()), 0.0);
+    EXPECT_EQ(held(-expected), 1.0);
+    EXPECT_EQ(held(-2 * expected), 1.0);  // pushed back: not more than held
+    EXPECT_EQ(held(expected), 0.0);       // pushed along: not less than free
+    EXPECT_NEAR(held(-0.75 * expected), 0.75, rounding);
+    EXPECT_NEAR(held(Vector(0.3, 0, 0.1)), 0.0, rounding);  // across: says nothing
+    EXPECT_EQ(hold_of_contacts(-expected, expected, weight).doubt, 0.0);
+}
+
+TEST(Hold, BalanceTellsNothing)
+{
+    const Vector little(0, 0, 1e-3);
+    for (const Vector& by_contacts : {Vector(Vector::Zero()), Vector(-little), little}) {
+        EXPECT_EQ(hold_of_contacts(by_contacts, little, 1.0).held, 0.0);
+        EXPECT_EQ(hold_of_contacts(by_contacts, little, 1.0).doubt, 1.0);
+    }
+}
+
+TEST(Hold, WithoutGravityAnyAnswerTells)
+{
+    const Vector little(0, 0, 1e-9);
+    EXPECT_EQ(hold_of_contacts(Vector::Zero(), little, 0.0).held, 0.0);
+    EXPECT_EQ(hold_of_contacts(-little, little, 0.0).held, 1.0);
+    EXPECT_EQ(hold_of_contacts(-little, little, 0.0).doubt, 0.0);
+}
+
+TEST(Hold, WhereNothingIsKnownIsTheSafeGuess)
+{
+    EXPECT_EQ(hold_of_contacts(Vector::Zero(), Vector::Zero(), 0.0).held, 1.0);
+    EXPECT_EQ(hold_of_contacts(Vector::Zero(), Vector::Zero(), 0.0).doubt, 0.0);
+}
+
+TEST(Stiffening, MakesTheLaggedCorrectionConvergeForFreeAndHeld)
+{
+    // gas without inertia, at rest in the end: rate_assumed (u - u_last) + true impulse of the last step
+    const double m = 3e-5, dt = 2e-3;
+    for (const double x : ratios) {
+        const double k = x * m / dt, added = stiffening(k, m, 1.0, dt);
+        for (const double held : {0.0, 1.0}) {
+            const double free_rate = assume_drag(m, k, 0, Vector::Zero(), dt).kappa;
+            const double true_rate = assume_drag(m, k, held, Vector::Zero(), dt).kappa;
+            double u = 1, last = 1, before = 1;
+            const double factor = 1 / std::sqrt(1 + 2 / x);
+            for (int n = 0; n < 20; ++n) {
+                const double pending = true_rate * u - (free_rate * u + added * (u - last));
+                before = last;
+                last = u;
+                u = (added * last - pending) / (free_rate + added);
+            }
+            EXPECT_LT(std::hypot(u, last, before), 4 * std::pow(factor, 17)) << x << ", held " << held;
+        }
+    }
 }
 
 TEST(FreeChange, IsTheExactSolutions)

@@ -15,15 +15,15 @@ BoxGas::BoxGas(const Communicator& comm, const BoxMesh& mesh, double density, do
       voidage_(mesh.view().size(), 1.0)
 {}
 
-void BoxGas::solve(double dt, const Scalars& rate, const Scalars& source)
+void BoxGas::solve(double dt, const Demand& demand)
 {
     if (held_) return;
     for (std::size_t c = 0; c < voidage_.size(); ++c)
         for (int axis = 0; axis < 3; ++axis) {
             double& u = velocity_[3 * c + static_cast<std::size_t>(axis)];
-            const double force =
-                source[3 * c + static_cast<std::size_t>(axis)] + body_force_[axis] - voidage_[c] * gradient_[axis];
-            u = (inertia_ * u + dt * force) / (inertia_ + dt * rate[c]);
+            const double force = demand.source[3 * c + static_cast<std::size_t>(axis)] + body_force_[axis] -
+                                 (voidage_[c] + demand.following[c]) * gradient_[axis];
+            u = (inertia_ * u + dt * force) / (inertia_ + dt * demand.rate[c]);
         }
 }
 

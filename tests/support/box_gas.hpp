@@ -9,7 +9,7 @@
 namespace interphase::test {
 
 /// A gas whose cells do not feel each other: in each,
-///     M du/dt = V (source - rate u) + V body_force - eps V grad p,  u implicit in the drag,
+///     M du/dt = V (source - rate u) + V body_force - (eps + following) V grad p,  u implicit in the drag,
 /// with grad p the same everywhere. Its momentum is known exactly.
 class BoxGas : public Gas {
 public:
@@ -20,7 +20,9 @@ public:
     double density() const override { return density_; }
     double viscosity() const override { return viscosity_; }
     void set_voidage(const Scalars& voidage) override { voidage_ = voidage; }
-    void solve(double dt, const Scalars& rate, const Scalars& source) override;
+    void solve(double dt, const Demand& demand) override;
+    Scalars outflow() const override { return Scalars(voidage_.size(), 0.0); }
+    Crossing crossing() const override { return {}; }
     Scalars velocity() const override { return velocity_; }
     Scalars pressure_gradient() const override;
     /// Green-Gauss with values linear between the centres: OpenFOAM's `Gauss linear`.

@@ -63,6 +63,7 @@ LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& setting
         contact_duration_ = shortest_contact(*lmp_);
     step_limit_ = ask_for_step_limit();
     solid_stress_ = ask_for_solid_stress();
+    moves_come_first_ = ask_whether_moves_come_first();
 }
 
 LiggghtsSolids::~LiggghtsSolids() { lammps_close(lmp_); }
@@ -157,6 +158,18 @@ SolidStress* LiggghtsSolids::ask_for_solid_stress() const
         by = fix->id;
     }
     return found;
+}
+
+bool LiggghtsSolids::ask_whether_moves_come_first() const
+{
+    for (int i = 0; i < lmp_->modify->nfix; ++i) {
+        LAMMPS_NS::Fix* fix = lmp_->modify->fix[i];
+        if (!is_of_plugin(fix->style)) continue;
+        int dimension = 0;
+        const auto* told = static_cast<const int*>(fix->extract(extract_moves_before_forces, dimension));
+        if (told && *told) return true;
+    }
+    return false;
 }
 
 void LiggghtsSolids::refuse_bodiless_particles() const

@@ -43,6 +43,7 @@ public:
     ParticleView particles() override;
     Vector gravity() const override { return gravity_; }
     bool may_remove_particles() const override { return may_remove_; }
+    bool kicks_before_moving() const override { return !moves_come_first_; }
     SolidStress* solid_stress() override { return solid_stress_; }
     void advance(int substeps) override;
 
@@ -55,6 +56,7 @@ private:
     bool is_of_plugin(const std::string& style) const;
     std::optional<double> ask_for_step_limit() const;
     SolidStress* ask_for_solid_stress() const;
+    bool ask_whether_moves_come_first() const;
 
     Communicator comm_;
     const Settings& settings_;
@@ -64,6 +66,7 @@ private:
     std::vector<LoadedPlugin> plugins_;
     std::optional<double> contact_duration_, step_limit_;
     SolidStress* solid_stress_ = nullptr;  ///< a fix's
+    bool moves_come_first_ = false;
     Vector gravity_ = Vector::Zero();
     bool may_remove_ = false;
 };

@@ -74,6 +74,11 @@ constexpr const char* extract_solid_step_limit = "solid_step_limit";
 /// step/solid_stress.hpp. At most one fix asks for it. It lives as long as the fix.
 constexpr const char* extract_solid_stress = "solid_stress";
 
+/// int*: not 0 where the fix moves particles at the start of a step with the velocity that they have, and lets forces change
+/// it afterwards. Without a word the coupler takes it that they move after half a kick by the last step's forces, as
+/// LIGGGHTS's own integrators do it. It predicts from that how far the solids move in a gas step.
+constexpr const char* extract_moves_before_forces = "moves_before_forces";
+
 // --- what the macro below is made of
 // ------------------------------------------------------------------------------------
 

@@ -82,14 +82,8 @@ GasFields::GasFields(fvMesh& mesh)
 
 void GasFields::set_voidage(const Scalars& voidage)
 {
-    scalarField& cells =
-        voidage_.primitiveFieldRef();  // keeps the values of the last step, as plain indexing would not
-    forAll(cells, c) cells[c] = voidage[static_cast<std::size_t>(c)];
+    forAll(voidage_, c) voidage_[c] = voidage[static_cast<std::size_t>(c)];
     voidage_.correctBoundaryConditions();
-    if (first_voidage_) {  // no rate of change before there were two of them
-        voidage_.oldTime() = voidage_;
-        first_voidage_ = false;
-    }
 }
 
 Scalars GasFields::velocity() const { return flat(U_); }

@@ -44,9 +44,6 @@ protected:
     Foam::volScalarField p_rgh_;
     Foam::volScalarField voidage_;
     Foam::volScalarField p_;
-
-private:
-    bool first_voidage_ = true;
 };
 
 /// A UserError for a property that is not positive; `dictionary` names the file.

@@ -5,6 +5,7 @@
 #include "constrainHbyA.H"
 #include "constrainPressure.H"
 #include "findRefCell.H"
+#include "fixedValueFvPatchFields.H"
 #include "fvCFD.H"
 
 namespace interphase {
@@ -20,71 +21,145 @@ DimensionedField<Type, volMesh> cell_field(const fvMesh& mesh, const char* name,
                                            dimensioned<Type>(name, dimensions, Zero));
 }
 
+/// Zero on every boundary that is one.
+template <class Type>
+GeometricField<Type, fvPatchField, volMesh> field_of_solids(const fvMesh& mesh, const char* name,
+                                                            const dimensionSet& dimensions)
+{
+    wordList types(mesh.boundary().size(), fixedValueFvPatchField<Type>::typeName);
+    forAll(types, patch)
+    {
+        const word& type = mesh.boundary()[patch].type();
+        if (fvPatch::constraintType(type)) types[patch] = type;
+    }
+    return GeometricField<Type, fvPatchField, volMesh>(
+        IOobject(name, mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false), mesh,
+        dimensioned<Type>(name, dimensions, Zero), types);
+}
+
 }  // namespace
 
 PimpleGas::PimpleGas(fvMesh& mesh)
     : GasFields(mesh),
       phi_(IOobject("phi", mesh.time().timeName(), mesh, IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE),
            fvc::flux(U_)),
+      face_voidage_("voidagef", fvc::interpolate(voidage_)),
+      gas_share_(IOobject("gasShare", mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false), mesh,
+                 dimensionedScalar("one", dimless, 1)),
       rate_(cell_field<scalar>(mesh, "exchangeRate", dimless / dimTime)),
       source_(cell_field<vector>(mesh, "exchangeSource", dimAcceleration)),
+      share_(IOobject("pressedShare", mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false),
+             voidage_),
+      following_(field_of_solids<scalar>(mesh, "followingSolids", dimless)),
+      mobility_(field_of_solids<scalar>(mesh, "mobilityOfSolids", dimVelocity / (dimPressure / dimLength))),
+      solids_flux_(field_of_solids<vector>(mesh, "fluxOfSolids", dimVelocity)),
+      surplus_(cell_field<scalar>(mesh, "surplus", dimless / dimTime)),
       control_(mesh)
 {
     mesh.setFluxRequired(p_rgh_.name());
     setRefCell(p_rgh_, control_.dict(), reference_cell_, reference_pressure_);
 }
 
-void PimpleGas::solve(double, const Scalars& rate, const Scalars& source)
+void PimpleGas::take(const Demand& demand)
 {
-    const double per_density = 1.0 / rho_.value();
+    const double density = rho_.value();
+    const vector weight = density * g_.value();  // grad p less grad p_rgh
     forAll(rate_, c)
     {
         const auto i = static_cast<std::size_t>(c);
-        rate_[c] = rate[i] * per_density;
-        source_[c] = vector(source[3 * i], source[3 * i + 1], source[3 * i + 2]) * per_density;
+        const auto vector_in = [i](const Scalars& flat) {
+            return vector(flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]);
+        };
+        rate_[c] = demand.rate[i] / density;
+        source_[c] = (vector_in(demand.source) - demand.following[i] * weight) / density;
+        following_[c] = demand.following[i];
+        mobility_[c] = demand.mobility[i];
+        solids_flux_[c] = vector_in(demand.flux) - demand.mobility[i] * weight;
+        surplus_[c] = demand.surplus[i];
     }
+    // Of the time scheme's levels the current one cancels in solve(); the one before is the start of this step.
+    const bool first = gas_share_.nOldTimes() == 0;
+    const scalarField at_last_start(gas_share_.primitiveField());
+    scalarField& current = gas_share_.primitiveFieldRef();
+    forAll(current, c) current[c] = demand.gas_share[static_cast<std::size_t>(c)];
+    gas_share_.oldTime().primitiveFieldRef() = current;
+    if (!first) gas_share_.oldTime().oldTime().primitiveFieldRef() = at_last_start;
+
+    following_.correctBoundaryConditions();
+    mobility_.correctBoundaryConditions();
+    solids_flux_.correctBoundaryConditions();
+    share_ = voidage_ + following_;
+    face_voidage_ = fvc::interpolate(voidage_);
+}
+
+void PimpleGas::solve(double, const Demand& demand)
+{
+    take(demand);
     const dimensionedScalar nu("nu", mu_ / rho_);
-    const surfaceScalarField face_voidage("voidagef", fvc::interpolate(voidage_));
-    const volScalarField voidage_rate(fvc::ddt(voidage_));
     const volScalarField voidage_nu("voidageNu", voidage_ * nu);
 
     while (control_.loop()) {
-        const surfaceScalarField voidage_phi("voidagePhi", face_voidage * phi_);
-        fvVectorMatrix momentum(fvm::ddt(voidage_, U_) + fvm::div(voidage_phi, U_) -
-                                    fvm::Sp(voidage_rate + fvc::div(voidage_phi), U_) - fvm::laplacian(voidage_nu, U_) -
+        const surfaceScalarField voidage_phi("voidagePhi", face_voidage_ * phi_);
+        fvVectorMatrix momentum(fvm::ddt(gas_share_, U_) + fvm::div(voidage_phi, U_) -
+                                    fvm::Sp(fvc::ddt(gas_share_) + fvc::div(voidage_phi), U_) -
+                                    fvm::laplacian(voidage_nu, U_) -
                                     fvc::div(voidage_nu * dev2(T(fvc::grad(U_)))) + fvm::Sp(rate_, U_) ==
                                 source_);
         momentum.relax();
-        if (control_.momentumPredictor()) Foam::solve(momentum == -voidage_ * fvc::grad(p_rgh_) / rho_);
+        if (control_.momentumPredictor()) Foam::solve(momentum == -share_ * fvc::grad(p_rgh_) / rho_);
         while (control_.correct())
-            correct_pressure(momentum, voidage_rate, face_voidage);
+            correct_pressure(momentum);
     }
     update_pressure();
 }
 
-void PimpleGas::correct_pressure(fvVectorMatrix& momentum, const volScalarField& voidage_rate,
-                                 const surfaceScalarField& face_voidage)
+void PimpleGas::correct_pressure(fvVectorMatrix& momentum)
 {
     const volScalarField rAU("rAU", 1.0 / momentum.A());
-    const volScalarField pressure_response(rAU * voidage_ / rho_);
+    const volScalarField pressure_response(rAU * share_ / rho_);
     const surfaceScalarField face_response("rAUf", fvc::interpolate(pressure_response));
 
     const volVectorField HbyA(constrainHbyA(rAU * momentum.H(), U_, p_rgh_));
     surfaceScalarField phiHbyA("phiHbyA",
-                               fvc::flux(HbyA) + face_voidage * fvc::interpolate(rAU) * fvc::ddtCorr(U_, phi_));
+                               fvc::flux(HbyA) + face_voidage_ * fvc::interpolate(rAU) * fvc::ddtCorr(U_, phi_));
     if (p_rgh_.needReference()) adjustPhi(phiHbyA, U_, p_rgh_);
     constrainPressure(p_rgh_, U_, phiHbyA, face_response);
 
+    const surfaceScalarField face_share(face_voidage_ + fvc::interpolate(following_));
+    const surfaceScalarField conductance(face_share * face_response + fvc::interpolate(mobility_));
+    const volScalarField leaving(fvc::div(face_share * phiHbyA + fvc::flux(solids_flux_)));
     while (control_.correctNonOrthogonal()) {
-        fvScalarMatrix pressure(fvm::laplacian(face_voidage * face_response, p_rgh_) ==
-                                voidage_rate + fvc::div(face_voidage * phiHbyA));
+        fvScalarMatrix pressure(fvm::laplacian(conductance, p_rgh_) == leaving.internalField() - surplus_);
         pressure.setReference(reference_cell_, reference_pressure_);
         pressure.solve(mesh_.solver(p_rgh_.select(control_.finalInnerIter())));
-        if (control_.finalNonOrthogonalIter()) phi_ = phiHbyA - pressure.flux() / face_voidage;
+        if (control_.finalNonOrthogonalIter()) phi_ = phiHbyA - face_response * pressure.flux() / conductance;
     }
     p_rgh_.relax();
     U_ = HbyA - pressure_response * fvc::grad(p_rgh_);
     U_.correctBoundaryConditions();
+}
+
+Scalars PimpleGas::outflow() const
+{
+    const scalarField rate(fvc::surfaceIntegrate(face_voidage_ * phi_)().primitiveField());
+    const double dt = mesh_.time().deltaTValue();
+    Scalars volume(static_cast<std::size_t>(rate.size()));
+    forAll(rate, c) volume[static_cast<std::size_t>(c)] = dt * rate[c] * mesh_.V()[c];
+    return volume;
+}
+
+Crossing PimpleGas::crossing() const
+{
+    Crossing total;
+    forAll(phi_.boundaryField(), patch)
+    {
+        if (mesh_.boundary()[patch].coupled()) continue;
+        const scalarField flow(face_voidage_.boundaryField()[patch] * phi_.boundaryField()[patch]);
+        for (const scalar out : flow)
+            (out > 0 ? total.out : total.in) += std::abs(out);
+    }
+    const double dt = mesh_.time().deltaTValue();
+    return {dt * total.in, dt * total.out};
 }
 
 double PimpleGas::courant_number() const

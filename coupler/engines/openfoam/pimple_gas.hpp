@@ -8,26 +8,38 @@
 
 namespace interphase {
 
-/// Volume-averaged incompressible flow, by PIMPLE (PISO with one outer corrector):
-///     d(eps)/dt + div(eps u) = 0
-///     d(rho eps u)/dt + div(rho eps u u) = -eps grad p + div(eps tau) + rho eps g - (rate u - source)
-/// with p_rgh = p - rho g.x, and the exchange with the particles implicit in u: its coefficient is part of the matrix
-/// diagonal, so it holds for the velocity at the end of the step, to round-off, after every pressure correction.
+/// Volume-averaged incompressible flow, by PIMPLE (PISO with one outer corrector). With a Demand's rate, source, following
+/// Y, mobility C, flux A and surplus q, and p_rgh = p - rho g.x,
+///     rho (s du/dt + eps u.grad u) = -(eps + Y) grad p + div(eps tau) + rho eps g - (rate u - source)
+///     div((eps + Y) u + A - C grad p) = q,
+/// s the gas share of the step's start (so that the gas's momentum rho s u is kept while s changes by what flows), the
+/// second being the continuity of gas and solids together. All of it is implicit in u and p: rate is part of the
+/// matrix diagonal, Y and C of the pressure equation, which stays symmetric. So it holds for the velocity at the end of the
+/// step, to round-off, after every pressure correction. No solids cross the boundary of the mesh.
 /// Schemes, solvers and boundary conditions are the case's. Laminar.
 class PimpleGas : public GasFields {
 public:
     explicit PimpleGas(Foam::fvMesh& mesh);
 
-    void solve(double dt, const Scalars& rate, const Scalars& source) override;
+    void solve(double dt, const Demand& demand) override;
+    Scalars outflow() const override;
+    Crossing crossing() const override;
     double courant_number() const override;
 
 private:
-    void correct_pressure(Foam::fvVectorMatrix& momentum, const Foam::volScalarField& voidage_rate,
-                          const Foam::surfaceScalarField& face_voidage);
+    void take(const Demand& demand);
+    void correct_pressure(Foam::fvVectorMatrix& momentum);
 
-    Foam::surfaceScalarField phi_;           ///< of u [m3/s]
-    Foam::volScalarField::Internal rate_;    ///< over density [1/s]
-    Foam::volVectorField::Internal source_;  ///< over density [m/s2]
+    Foam::surfaceScalarField phi_;            ///< of u [m3/s]
+    Foam::surfaceScalarField face_voidage_;
+    Foam::volScalarField gas_share_;          ///< at the start of the step
+    Foam::volScalarField::Internal rate_;     ///< over density [1/s]
+    Foam::volVectorField::Internal source_;   ///< over density [m/s2]
+    Foam::volScalarField share_;              ///< eps + Y: of the volume that feels the pressure gradient
+    Foam::volScalarField following_;          ///< Y
+    Foam::volScalarField mobility_;           ///< C [m3 s/kg]
+    Foam::volVectorField solids_flux_;        ///< A, with what p less p_rgh does [m/s]
+    Foam::volScalarField::Internal surplus_;  ///< q [1/s]
     Foam::pimpleControl control_;
     Foam::label reference_cell_ = 0;
     Foam::scalar reference_pressure_ = 0;

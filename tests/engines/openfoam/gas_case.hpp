@@ -126,12 +126,25 @@ public:
         return values;
     }
 
-    /// One gas step, as CouplingStep does it. `rate` [kg/(m3 s)], `source` [N/m3].
+    /// One gas step under a voidage that is given at its end. `rate` [kg/(m3 s)], `source` [N/m3]. What solids of their
+    /// own motion would push out is the change of the voidage, of the order of the time scheme.
     void step(const Scalars& voidage, const Scalars& rate, const Scalars& source)
     {
         foam_->advance_time(scene_.gas_step);
+        Demand demand(cells());
+        demand.rate = rate;
+        demand.source = source;
+        voidages_.push_back(voidage);
+        const std::size_t n = voidages_.size() - 1;
+        demand.gas_share = voidages_[n > 0 ? n - 1 : 0];
+        for (std::size_t c = 0; c < cells() && n > 0; ++c) {
+            const double change = voidage[c] - voidages_[n - 1][c];
+            const double change_before = n > 1 ? voidages_[n - 1][c] - voidages_[n - 2][c] : change;
+            const bool second_order = scene_.time_scheme == "backward" && n > 1;
+            demand.surplus[c] = -(second_order ? 1.5 * change - 0.5 * change_before : change) / scene_.gas_step;
+        }
         gas_->set_voidage(voidage);
-        gas_->solve(scene_.gas_step, rate, source);
+        gas_->solve(scene_.gas_step, demand);
         if (const auto trouble = gas_->trouble()) throw std::runtime_error(*trouble);
     }
 
@@ -262,6 +275,7 @@ private:
     char** argument_list_ = nullptr;
     std::unique_ptr<FoamCase> foam_;
     std::unique_ptr<FoamGas> gas_;
+    std::vector<Scalars> voidages_;  ///< step by step
 };
 
 /// The orders between neighbours in a series of errors whose step halves from each to the next.
