@@ -40,6 +40,17 @@ struct FluidForce {
             force[axis] += fluid;
         }
     }
+
+    /// The fluid's part of a force [N] that apply() made, at the velocity that it saw.
+    Vector part_of(const Vector& force, const Vector& velocity) const
+    {
+        Vector fluid;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double others = (force[axis] - constant[axis] + rate * velocity[axis]) / share;
+            fluid[axis] = force[axis] - others;
+        }
+        return fluid;
+    }
 };
 
 static_assert(std::is_trivially_copyable_v<FluidForce>);

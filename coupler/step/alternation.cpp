@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/alternation.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -10,6 +9,7 @@ namespace interphase {
 namespace {
 
 constexpr int n = Alternation::window;
+constexpr int memory = 100;  // steps of the background
 
 /// Orthonormal series over the window.
 struct Modes {
@@ -19,16 +19,19 @@ struct Modes {
 
     Modes()
     {
-        Eigen::Matrix<double, n, 5> series;
         for (int i = 0; i < n; ++i) {
             const double t = (2.0 * i + 1 - n) / n;
-            series.row(i) << 1, t, t * t, t * t * t, i % 2 == 0 ? 1 : -1;
+            smooth.row(i) << 1, t, t * t, t * t * t;
+            alternating(i) = i % 2 == 0 ? 1 : -1;
         }
-        const Eigen::HouseholderQR<Eigen::Matrix<double, n, 5>> qr(series);
-        const Eigen::Matrix<double, n, 5> q = qr.householderQ() * Eigen::Matrix<double, n, 5>::Identity();
-        smooth = q.leftCols<4>();
-        alternating = q.col(4);
-        length = std::abs(qr.matrixQR()(4, 4));
+        for (int k = 0; k < 4; ++k) {  // modified Gram-Schmidt
+            smooth.col(k).normalize();
+            for (int j = k + 1; j < 4; ++j)
+                smooth.col(j) -= smooth.col(k).dot(smooth.col(j)) * smooth.col(k);
+            alternating -= smooth.col(k).dot(alternating) * smooth.col(k);
+        }
+        length = alternating.norm();
+        alternating /= length;
     }
 };
 
@@ -39,11 +42,6 @@ const Modes& modes()
 }
 
 }  // namespace
-
-void Alternation::forget()
-{
-    *this = Alternation();
-}
 
 void Alternation::add(const Vector& value)
 {
@@ -78,10 +76,24 @@ void Alternation::follow_swing()
         ++growing_;
     } else {
         growing_ = 0;
-        first_ = swing_.norm();
-        background_ = std::sqrt(mean_square_);
+        background_ = mean_of_ > 0 ? std::sqrt(mean_square_) : swing_.norm();
     }
-    mean_square_ += (swing_.squaredNorm() - mean_square_) / n;
+    mean_of_ = std::min(mean_of_ + 1, memory);
+    mean_square_ += (swing_.squaredNorm() - mean_square_) / mean_of_;
+    std::rotate(swings_.begin(), swings_.end() - 1, swings_.end());
+    swings_[0] = swing_.norm();
+}
+
+double Alternation::unevenness() const
+{
+    if (growing_ < ratios) return 0;
+    double most = 0, least = 1e300;
+    for (std::size_t i = 0; i < ratios; ++i) {
+        const double ratio = swings_[i] / swings_[i + 1];
+        most = std::max(most, ratio);
+        least = std::min(least, ratio);
+    }
+    return most / least;
 }
 
 }  // namespace interphase

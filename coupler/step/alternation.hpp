@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+
 #include "base/vector.hpp"
 
 namespace interphase {
@@ -12,11 +14,14 @@ class Alternation {
 public:
     /// Steps that purity and amplitude look back on. White noise of any amplitude has a share p or more of its
     /// variance in one given mode of n with the probability of a beta(1/2, (n - 1)/2) variable; the cubic trend takes
-    /// 4 of the 24 steps, so that it exceeds p = 0.8 once in 2e7 steps.
+    /// 4 of the 24 steps, so that it exceeds p = 0.85 once in 3e8 steps. Noise that each step takes back in the next
+    /// one, x(n) = e(n) - e(n-1), does so once in 5e6 (1.5e7 steps were drawn), x(n) = -x(n-1)/2 + e(n) in 2e5.
     static constexpr int window = 24;
 
+    /// Steps that growth looks back on.
+    static constexpr int ratios = 6;
+
     void add(const Vector& value);
-    void forget();
 
     /// Once the window is full, else 0: the amplitude of the oscillation of two steps over the window [unit of the
     /// values], half of the difference between its ups and downs.
@@ -31,9 +36,11 @@ public:
     double swing() const { return swing_.norm(); }
     /// For how many steps on end the swing has turned round and grown (by more than 2 %).
     int growing() const { return growing_; }
-    /// Swing now over the swing before it began to grow.
-    double growth() const { return first_ > 0 ? swing() / first_ : 0; }
-    /// The usual (root mean square) swing of the steps before it began to grow [unit of the values].
+    /// Over the last `ratios` steps: by how much the swing has grown, if it has in each of them, else 0.
+    double growth() const { return growing_ >= ratios ? swings_[0] / swings_[ratios] : 0; }
+    /// Largest over smallest growth of these steps: 1 if it is exponential, as of an unstable mode.
+    double unevenness() const;
+    /// The usual (root mean square) swing before it began to grow, over some 100 steps [unit of the values].
     double background() const { return background_; }
 
 private:
@@ -44,9 +51,11 @@ private:
     int known_ = 0;
     double amplitude_ = 0, purity_ = 0, persistence_ = 0;
     Vector swing_ = Vector::Zero();
-    double mean_square_ = 0;  ///< of the swing
+    std::array<double, ratios + 1> swings_{};  ///< the youngest first
+    double mean_square_ = 0;                   ///< of the swing
+    int mean_of_ = 0;                          ///< steps
     int growing_ = 0;
-    double first_ = 0, background_ = 0;
+    double background_ = 0;
 };
 
 }  // namespace interphase

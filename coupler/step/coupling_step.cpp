@@ -5,20 +5,21 @@
 #include <cmath>
 
 #include "momentum/drag_response.hpp"
+#include "momentum/rate_over_step.hpp"
 
 namespace interphase {
 
 namespace {
 
-/// What a particle brings to its gas cell. One-way scenes send the first eight entries only, those with solid stress
-/// four more at the end: momentum and mass.
+/// What a particle brings to its gas cell. One-way scenes send the first nine entries only, those with solid stress four
+/// more at the end: momentum and mass.
 enum VisitorEntry {
     position = 0,
     velocity = 3,  // with which it begins the step
     diameter = 6,  // of the real particle
     volume = 7,    // of solids in the tracked one
-    one_way_record = 8,
     mass = 8,
+    one_way_record = 9,
     pending = 9,
     by_contacts = 12,       // what the last step changed in its momentum
     without_contacts = 15,  // and would have
@@ -38,6 +39,14 @@ constexpr std::size_t demand_record = 9;
 Vector to_vector(const double* v) { return {v[0], v[1], v[2]}; }
 
 Vector vector_at(const Scalars& flat, std::size_t start) { return to_vector(&flat[start]); }
+
+/// Whether it rests where it rested a gas step ago: then nobody moves it, whatever pushes it.
+bool rests(const ParticleView& particles, std::size_t i)
+{
+    const ParticleCoupling& own = particles.coupling[i];
+    return own.response_time > 0 && particles.velocity.col(static_cast<Eigen::Index>(i)).isZero(0) &&
+           interphase::to_vector(own.start_velocity).isZero(0);
+}
 
 void put(double* start, const Vector& v) { std::copy_n(v.data(), 3, start); }
 
@@ -67,7 +76,7 @@ CouplingStep::CouplingStep(const Communicator& comm, const Settings& settings, G
       stress_model_(solids.solid_stress()),
       voidage_(gas.mesh().size(), 1.0),
       solid_volume_(gas.mesh().size(), 0.0),
-      hold_(gas.mesh().size(), Hold{1.0, 0.0}),
+      hold_(gas.mesh().size(), Hold{0.0, 0.0}),
       demand_(gas.mesh().size())
 {
     if (stress_model_) stress_.emplace(comm_, gas_, mapping_, *stress_model_);
@@ -83,6 +92,8 @@ std::size_t CouplingStep::homeward_width() const { return homeward_record + (str
 void CouplingStep::advance(double dt, int substeps)
 {
     solid_step_ = dt / substeps;
+    kicks_again_ = substeps == 1 && solids_.takes_new_forces();
+    transactions_ = {};
     if (particle_count_ < 0) inspect_start();
     bring_particles_to_their_cells();
     map_voidage();
@@ -126,10 +137,12 @@ void CouplingStep::bring_particles_to_their_cells()
         }
         records_[r + diameter] = 2 * particles.radius[column] * per_real;
         records_[r + volume] = sphere_volume(particles.radius[column]);
+        records_[r + mass] = particles.mass[column];
         if (settings_.two_way) pack_for_two_way(particles, i, &records_[r]);
         r += width;
         if (stress_) {
-            put(&records_[r - momentum_record], particles.mass[column] * particles.velocity.col(column));
+            const Vector v = kicks_again_ ? starting_velocity(particles, i) : particles.velocity.col(column);
+            put(&records_[r - momentum_record], particles.mass[column] * v);
             records_[r - 1] = particles.mass[column];
         }
     }
@@ -141,10 +154,13 @@ void CouplingStep::pack_for_two_way(const ParticleView& particles, std::size_t i
     const auto column = static_cast<Eigen::Index>(i);
     const ParticleCoupling& own = particles.coupling[i];
     const double m = particles.mass[column];
-    record[mass] = m;
-    put(record + pending, solid_step_ * particles.booked_force(i) - to_vector(own.assumed_impulse));
-    if (own.response_time <= 0) {
-        std::fill_n(record + by_contacts, held_record, 0.0);
+    const Vector taken = solid_step_ * particles.booked_force(i) - impulse_to_take_back(particles, i);
+    put(record + pending, taken - to_vector(own.assumed_impulse));
+    if (own.response_time <= 0) {  // new to the gas: what acts on it now beside gravity are contacts
+        const Vector pull = m * solids_.gravity();
+        put(record + by_contacts, solid_step_ * (particles.force.col(column) - pull));
+        put(record + without_contacts, solid_step_ * pull);
+        record[weight] = solid_step_ * pull.norm();
         return;
     }
     const Vector expected = to_vector(own.free_change);
@@ -158,10 +174,25 @@ Vector CouplingStep::starting_velocity(const ParticleView& particles, std::size_
 {
     const auto column = static_cast<Eigen::Index>(i);
     const Vector v = particles.velocity.col(column);
-    if (!solids_.kicks_before_moving()) return v;
-    // a particle that still rests where it rested is not moved by anyone, whatever pushes it
-    if (v == Vector::Zero() && to_vector(particles.coupling[i].start_velocity) == v) return v;
-    return v + 0.5 * solid_step_ / particles.mass[column] * particles.force.col(column);
+    if (!solids_.kicks_before_moving() || rests(particles, i)) return v;
+    if (kicks_again_ && particles.coupling[i].response_time <= 0) return v;  // no step has kicked it yet
+    const Vector half_kick = 0.5 * solid_step_ / particles.mass[column] * particles.force.col(column);
+    return kicks_again_ ? Vector(v - half_kick) : Vector(v + half_kick);
+}
+
+Vector CouplingStep::impulse_to_take_back(const ParticleView& particles, std::size_t i) const
+{
+    if (!kicks_again_ || rests(particles, i)) return Vector::Zero();
+    const Vector force = particles.force.col(static_cast<Eigen::Index>(i));
+    return solid_step_ * particles.fluid[i].part_of(force, starting_velocity(particles, i));
+}
+
+void CouplingStep::kick_again(const ParticleView& particles, std::size_t i, const Vector& velocity, const Vector& others)
+{
+    Vector force = others;
+    particles.fluid[i].apply(force.data(), velocity.data(), particles.booked + 3 * i);
+    const double half = 0.5 * solid_step_ / particles.mass[static_cast<Eigen::Index>(i)];
+    solids_.kick_again(i, velocity + half * force, force);
 }
 
 void CouplingStep::judge_contacts()
@@ -198,7 +229,6 @@ void CouplingStep::map_voidage()
     for (std::size_t c = 0; c < voidage_.size(); ++c)
         voidage_[c] = 1.0 - solid_volume_[c] / gas_.mesh().volume[c];
 
-    transactions_ = {};
     transactions_.solid_volume_in_cells = sum(solid_volume_);
     transactions_.solid_volume_of_particles = sum(volumes_);
 }
@@ -215,8 +245,10 @@ void CouplingStep::map_solid_stress()
 
 void CouplingStep::map_drag(double dt)
 {
-    const std::size_t width = visitor_width(), seen_width = 6;
+    const std::size_t width = visitor_width(), seen_width = 9;
     const Scalars gas_velocity = gas_.velocity();
+    const bool first_step = pressure_gradient_.empty();
+    if (first_step) pressure_gradient_ = gas_.pressure_gradient();
     Scalars seen_by_cells(seen_width * voidage_.size());
     for (std::size_t c = 0; c < voidage_.size(); ++c) {
         double* seen = &seen_by_cells[seen_width * c];
@@ -224,6 +256,7 @@ void CouplingStep::map_drag(double dt)
         std::copy_n(&gas_velocity[3 * c], 3, seen + 1);
         seen[4] = hold_[c].held;
         seen[5] = hold_[c].doubt;
+        std::copy_n(&pressure_gradient_[3 * c], 3, seen + 6);
     }
     mapping_.to_particles(seen_by_cells, seen_width, seen_);
 
@@ -231,14 +264,18 @@ void CouplingStep::map_drag(double dt)
     demands_.resize(settings_.two_way ? demand_record * visits_.visitors() : 0);
     for (std::size_t i = 0; i < visits_.visitors(); ++i) {
         const double* record = &visitors_[i * width];
-        const double eps = seen_[seen_width * i];
-        const Vector own_velocity = to_vector(record + velocity);
-        const double slip = (vector_at(seen_, seen_width * i + 1) - own_velocity).norm();
-        const double d = record[diameter];
-        const double reynolds = eps * gas_.density() * slip * d / gas_.viscosity();
+        const double* seen = &seen_[seen_width * i];
+        const double eps = seen[0], d = record[diameter], held = first_step ? 0.0 : seen[4];
+        const Vector slip = to_vector(seen + 1) - to_vector(record + velocity);
+        const double reynolds = eps * gas_.density() * slip.norm() * d / gas_.viscosity();
         beyond_range_ += eps < law_.voidage_min || eps > law_.voidage_max || reynolds > law_.reynolds_max;
-        drag_rates_[i] = record[volume] * drag_rate_per_volume(law_, eps, slip, d, gas_.density(), gas_.viscosity());
-        if (settings_.two_way) write_demand(record, drag_rates_[i], &seen_[seen_width * i], dt, &demands_[demand_record * i]);
+        const auto rate_of = [&](double slip_speed) {
+            return record[volume] *
+                   drag_rate_per_volume(law_, eps, slip_speed, d, gas_.density(), gas_.viscosity());
+        };
+        const Vector acceleration = solids_.gravity() - record[volume] / record[mass] * to_vector(seen + 6);
+        drag_rates_[i] = rate_over_step(rate_of, slip, record[mass], (1 - held) * acceleration, dt);
+        if (settings_.two_way) write_demand(record, drag_rates_[i], seen, dt, &demands_[demand_record * i]);
     }
     if (settings_.two_way) map_demands(dt);
 }
@@ -308,7 +345,7 @@ void CouplingStep::return_gas_to_particles(double dt)
 {
     stopwatch_.switch_to(Phase::mapping);
     const Scalars gas_velocity = gas_.velocity();
-    const Scalars gradient = gas_.pressure_gradient();
+    const Scalars& gradient = pressure_gradient_ = gas_.pressure_gradient();
     if (settings_.two_way)
         for (std::size_t c = 0; c < voidage_.size(); ++c) {
             const double volume = gas_.mesh().volume[c];
@@ -351,9 +388,14 @@ void CouplingStep::return_gas_to_particles(double dt)
         const double k = fluid_[f];
         const Vector pressure_force = -sphere_volume(particles.radius[column]) * vector_at(fluid_, f + 4);
         const Vector assumed = vector_at(fluid_, f + 7);
+        const bool again = kicks_again_ && !rests(particles, i);
+        const Vector total = particles.force.col(column);
+        const Vector others = again ? Vector(total - particles.fluid[i].part_of(total, v)) : total;
+        if (again) transactions_.taken_by_particles -= impulse_to_take_back(particles, i);
 
         particles.fluid[i] = FluidForce(m, k, u, pressure_force, solid_step_);
         std::fill_n(particles.booked + 3 * i, 3, 0.0);
+        if (again) kick_again(particles, i, v, others);
         set(own.assumed_impulse, assumed);
         set(own.start_velocity, v);
         set(own.free_change, free_change(m, k, u - v, solids_.gravity() + pressure_force / m, dt));

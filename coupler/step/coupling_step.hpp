@@ -74,6 +74,8 @@ private:
     std::size_t homeward_width() const;
     void begin_solid_stress(const ParticleView& particles, double dt);
     Vector starting_velocity(const ParticleView& particles, std::size_t i) const;
+    Vector impulse_to_take_back(const ParticleView& particles, std::size_t i) const;
+    void kick_again(const ParticleView& particles, std::size_t i, const Vector& velocity, const Vector& others);
     void pack_for_two_way(const ParticleView& particles, std::size_t i, double* record) const;
     void refuse_particles_outside(const ParticleView& particles) const;
     void refuse_loss(const ParticleView& particles, long lost) const;
@@ -106,11 +108,13 @@ private:
     Scalars voidage_;                        ///< own cells
     Scalars solid_volume_;                   ///< own cells [m3]
     std::vector<Hold> hold_;                 ///< own cells: by contacts
+    Scalars pressure_gradient_;              ///< own cells, of the last solve [n x 3, Pa/m]
     Scalars gas_volume_;                     ///< own cells, by what has flowed in and out [m3]
     Demand demand_;
     Transactions transactions_;
     Vector assumed_at_start_ = Vector::Zero();
     double solid_step_ = 0;
+    bool kicks_again_ = false;  ///< the solids begin this gas step with its own forces
     long outside_ = 0;
     long relieved_ = 0;
     long beyond_range_ = 0;

@@ -39,6 +39,12 @@ public:
     /// own integrators), or the drift first.
     virtual bool kicks_before_moving() const { return true; }
 
+    /// Whether a gas step of one substep may begin with the forces of its own gas: the kick that the last step began is
+    /// taken back, and made again by kick_again().
+    virtual bool takes_new_forces() const { return false; }
+    /// Sets velocity [m/s] and force [N] of particle `i`.
+    virtual void kick_again(std::size_t /*i*/, const Vector& /*velocity*/, const Vector& /*force*/) {}
+
     /// Whether the scene may remove particles on purpose (so that fewer are not a loss).
     virtual bool may_remove_particles() const = 0;
 

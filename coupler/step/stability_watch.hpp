@@ -32,7 +32,7 @@ struct Finding {
 struct StabilityLimits {
     /// An oscillation of two steps is told when it has this share of the variance of 24 steps: see Alternation::window
     /// for how seldom noise has.
-    double purity = 0.8;
+    double purity = 0.85;
     /// ... and has not decayed (younger over older half of the window): what a start or a jump of an inlet sets off
     /// dies away, by a fifth in 12 steps at the least.
     double persistence = 0.8;
@@ -42,14 +42,14 @@ struct StabilityLimits {
     /// ... or of the velocity, over g dt; without gravity, over a tenth of what gas and particles move at.
     double velocity = 1;
 
-    /// A swing that turns round and grows in so many steps on end is told when it has grown by `growth` and exceeds
-    /// `swing` times the weight's gradient or g dt, and `outstanding` times its usual size.
-    int growing = 5;
-    double growth = 3;
-    double swing = 1;
-    double outstanding = 4;
-    /// It is hopeless after so many steps, when it exceeds `hopeless_swing`.
-    int hopeless_growing = 6;
+    /// A swing that turns round and grows in each of six steps on end, as evenly as an unstable mode, is told when it
+    /// exceeds `swing` times the weight's gradient or what is told of the velocity, and `outstanding` times its usual
+    /// size (in 2e7 steps each of six kinds of noise none did; at 4 times, one in 1e6). It is hopeless when it was told
+    /// before at this gas step, has grown for `hopeless_growing` steps and exceeds `hopeless_swing`.
+    double unevenness = 1.5;
+    double swing = 0.2;
+    double outstanding = 6;
+    int hopeless_growing = 7;
     double hopeless_swing = 10;
 
     /// An oscillation that has been told and stays above this for so many steps (four windows) is hopeless too.
@@ -91,9 +91,8 @@ public:
 private:
     struct Trouble {
         Stability stability = Stability::calm;
-        std::string what;
-        std::string when;
-        bool fast = false;  ///< grows from step to step, so that the step is halved without delay
+        std::string what, when, remedy;
+        bool grows = false;  ///< from step to step, so that the step is halved without delay
     };
     struct Watched {
         Alternation series;
@@ -119,11 +118,12 @@ private:
     double duration_ = 0, mass_ = 0;  ///< of the last step
     double usual_speed_ = 0;          ///< of gas and particles, over some 100 steps [m/s]
 
-    double speed_ = 0;      ///< rms of the particles [m/s]
-    int accelerating_ = 0;  ///< steps on end
+    double speed_ = 0;                                ///< rms of the particles [m/s]
+    int accelerating_ = 0;                            ///< steps on end
     double gas_speed_before_ = 0, speed_before_ = 0;  ///< when that began [m/s]
 
     bool in_doubt_ = false;
+    bool told_of_this_step_ = false;
     bool told_crossing_ = false;
     long calm_steps_ = 0;
     int patience_ = 0;  ///< steps until the step may be halved again

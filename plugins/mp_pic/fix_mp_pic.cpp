@@ -53,6 +53,8 @@ int FixMpPic::setmask() { return LAMMPS_NS::FixConst::INITIAL_INTEGRATE | LAMMPS
 void* FixMpPic::extract(const char* name, int& dimension)
 {
     dimension = 0;
+    static int yes = 1;
+    if (std::strcmp(name, extract_takes_new_forces) == 0) return &yes;
     if (has_stress_ && std::strcmp(name, extract_solid_stress) == 0) return static_cast<SolidStress*>(this);
     return nullptr;
 }
@@ -82,6 +84,7 @@ double FixMpPic::stress(double solid_fraction) const
 StepTooLong FixMpPic::begin(double gas_step)
 {
     arrived_ = true;
+    kicked_whole_ = gas_step < 1.5 * update->dt;
     StepTooLong found;
     int worst = -1;
     double shortest = gas_step;
@@ -149,11 +152,13 @@ Vector FixMpPic::take_stress(int i)
 {
     const StressState& state = states_[at(i)];
     const double r = atom->radius[i], density = atom->rmass[i] / (4.0 / 3.0 * M_PI * r * r * r);
-    // The mean motion is made of whole steps' velocities, so it is compared with these: half a kick behind and ahead.
+    // The mean motion is compared with velocities of its own time, and with these after a whole kick. It is that of whole
+    // steps, half a kick behind; or, where the gas step began with its own forces, that before the whole kick.
     Eigen::Map<Vector> velocity(atom->v[i]);
-    const Vector kick = 0.5 * update->dt / atom->rmass[i] * Eigen::Map<const Vector>(atom->f[i]);
+    const Vector kick = update->dt / atom->rmass[i] * Eigen::Map<const Vector>(atom->f[i]);
+    const Vector before = velocity - (kicked_whole_ ? 1.0 : 0.5) * kick;
     const double e = restitution_[at(atom->type[i] - 1)];
-    const Vector change = limited_stress_change(state, velocity - kick, velocity + kick, density, e, update->dt);
+    const Vector change = limited_stress_change(state, before, before + kick, density, e, update->dt);
     velocity += change;
     return change;
 }

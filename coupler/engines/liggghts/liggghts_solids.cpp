@@ -63,7 +63,8 @@ LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& setting
         contact_duration_ = shortest_contact(*lmp_);
     step_limit_ = ask_for_step_limit();
     solid_stress_ = ask_for_solid_stress();
-    moves_come_first_ = ask_whether_moves_come_first();
+    moves_come_first_ = any_plugin_says(extract_moves_before_forces);
+    takes_new_forces_ = any_plugin_says(extract_takes_new_forces);
 }
 
 LiggghtsSolids::~LiggghtsSolids() { lammps_close(lmp_); }
@@ -160,13 +161,13 @@ SolidStress* LiggghtsSolids::ask_for_solid_stress() const
     return found;
 }
 
-bool LiggghtsSolids::ask_whether_moves_come_first() const
+bool LiggghtsSolids::any_plugin_says(const char* what) const
 {
     for (int i = 0; i < lmp_->modify->nfix; ++i) {
         LAMMPS_NS::Fix* fix = lmp_->modify->fix[i];
         if (!is_of_plugin(fix->style)) continue;
         int dimension = 0;
-        const auto* told = static_cast<const int*>(fix->extract(extract_moves_before_forces, dimension));
+        const auto* told = static_cast<const int*>(fix->extract(what, dimension));
         if (told && *told) return true;
     }
     return false;
@@ -245,6 +246,12 @@ ParticleView LiggghtsSolids::particles()
             fluid_ ? fluid_->forces() : nullptr,
             fluid_ ? fluid_->booked() : nullptr,
             fluid_ ? fluid_->coupling() : nullptr};
+}
+
+void LiggghtsSolids::kick_again(std::size_t i, const Vector& velocity, const Vector& force)
+{
+    std::copy_n(velocity.data(), 3, lmp_->atom->v[i]);
+    std::copy_n(force.data(), 3, lmp_->atom->f[i]);
 }
 
 void LiggghtsSolids::advance(int substeps)

@@ -44,6 +44,8 @@ public:
     Vector gravity() const override { return gravity_; }
     bool may_remove_particles() const override { return may_remove_; }
     bool kicks_before_moving() const override { return !moves_come_first_; }
+    bool takes_new_forces() const override { return takes_new_forces_; }
+    void kick_again(std::size_t i, const Vector& velocity, const Vector& force) override;
     SolidStress* solid_stress() override { return solid_stress_; }
     void advance(int substeps) override;
 
@@ -56,7 +58,7 @@ private:
     bool is_of_plugin(const std::string& style) const;
     std::optional<double> ask_for_step_limit() const;
     SolidStress* ask_for_solid_stress() const;
-    bool ask_whether_moves_come_first() const;
+    bool any_plugin_says(const char* what) const;
 
     Communicator comm_;
     const Settings& settings_;
@@ -66,7 +68,7 @@ private:
     std::vector<LoadedPlugin> plugins_;
     std::optional<double> contact_duration_, step_limit_;
     SolidStress* solid_stress_ = nullptr;  ///< a fix's
-    bool moves_come_first_ = false;
+    bool moves_come_first_ = false, takes_new_forces_ = false;
     Vector gravity_ = Vector::Zero();
     bool may_remove_ = false;
 };

@@ -5,8 +5,10 @@
 #include "constrainHbyA.H"
 #include "constrainPressure.H"
 #include "findRefCell.H"
+#include "fixedFluxPressureFvPatchScalarField.H"
 #include "fixedValueFvPatchFields.H"
 #include "fvCFD.H"
+#include "zeroGradientFvPatchFields.H"
 
 namespace interphase {
 
@@ -47,9 +49,10 @@ PimpleGas::PimpleGas(fvMesh& mesh)
       gas_share_(IOobject("gasShare", mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false), mesh,
                  dimensionedScalar("one", dimless, 1)),
       rate_(cell_field<scalar>(mesh, "exchangeRate", dimless / dimTime)),
-      source_(cell_field<vector>(mesh, "exchangeSource", dimAcceleration)),
-      share_(IOobject("pressedShare", mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false),
-             voidage_),
+      source_(IOobject("exchangeSource", mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false),
+              mesh, dimensionedVector("none", dimAcceleration, Zero), zeroGradientFvPatchVectorField::typeName),
+      face_share_("pressedSharef", face_voidage_),
+      face_source_("exchangeSourcef", fvc::flux(source_)),
       following_(field_of_solids<scalar>(mesh, "followingSolids", dimless)),
       mobility_(field_of_solids<scalar>(mesh, "mobilityOfSolids", dimVelocity / (dimPressure / dimLength))),
       solids_flux_(field_of_solids<vector>(mesh, "fluxOfSolids", dimVelocity)),
@@ -88,8 +91,20 @@ void PimpleGas::take(const Demand& demand)
     following_.correctBoundaryConditions();
     mobility_.correctBoundaryConditions();
     solids_flux_.correctBoundaryConditions();
-    share_ = voidage_ + following_;
+    source_.correctBoundaryConditions();
     face_voidage_ = fvc::interpolate(voidage_);
+    face_share_ = face_voidage_ + fvc::interpolate(following_);
+    face_source_ = fvc::flux(source_);
+    forAll(face_source_.boundaryField(), patch)
+        if (!p_rgh_.boundaryField()[patch].fixesValue() && !mesh_.boundary()[patch].coupled() &&
+            !isA<fixedFluxPressureFvPatchScalarField>(p_rgh_.boundaryField()[patch]))
+            face_source_.boundaryFieldRef()[patch] = Zero;  // nothing there would hold it off the boundary
+}
+
+/// Of solids and pressure on the gas, over density, through the faces [m3/s2].
+tmp<surfaceScalarField> PimpleGas::force_flux() const
+{
+    return face_source_ - face_share_ * fvc::snGrad(p_rgh_) * mesh_.magSf() / rho_;
 }
 
 void PimpleGas::solve(double, const Demand& demand)
@@ -103,10 +118,9 @@ void PimpleGas::solve(double, const Demand& demand)
         fvVectorMatrix momentum(fvm::ddt(gas_share_, U_) + fvm::div(voidage_phi, U_) -
                                     fvm::Sp(fvc::ddt(gas_share_) + fvc::div(voidage_phi), U_) -
                                     fvm::laplacian(voidage_nu, U_) -
-                                    fvc::div(voidage_nu * dev2(T(fvc::grad(U_)))) + fvm::Sp(rate_, U_) ==
-                                source_);
+                                    fvc::div(voidage_nu * dev2(T(fvc::grad(U_)))) + fvm::Sp(rate_, U_));
         momentum.relax();
-        if (control_.momentumPredictor()) Foam::solve(momentum == -share_ * fvc::grad(p_rgh_) / rho_);
+        if (control_.momentumPredictor()) Foam::solve(momentum == fvc::reconstruct(force_flux()));
         while (control_.correct())
             correct_pressure(momentum);
     }
@@ -116,18 +130,18 @@ void PimpleGas::solve(double, const Demand& demand)
 void PimpleGas::correct_pressure(fvVectorMatrix& momentum)
 {
     const volScalarField rAU("rAU", 1.0 / momentum.A());
-    const volScalarField pressure_response(rAU * share_ / rho_);
-    const surfaceScalarField face_response("rAUf", fvc::interpolate(pressure_response));
+    const surfaceScalarField rAUf("rAUf", fvc::interpolate(rAU));
+    const surfaceScalarField face_response(rAUf * face_share_ / rho_);
 
     const volVectorField HbyA(constrainHbyA(rAU * momentum.H(), U_, p_rgh_));
     surfaceScalarField phiHbyA("phiHbyA",
-                               fvc::flux(HbyA) + face_voidage_ * fvc::interpolate(rAU) * fvc::ddtCorr(U_, phi_));
+                               fvc::flux(HbyA) + face_voidage_ * rAUf * fvc::ddtCorr(U_, phi_));
     if (p_rgh_.needReference()) adjustPhi(phiHbyA, U_, p_rgh_);
+    phiHbyA += rAUf * face_source_;
     constrainPressure(p_rgh_, U_, phiHbyA, face_response);
 
-    const surfaceScalarField face_share(face_voidage_ + fvc::interpolate(following_));
-    const surfaceScalarField conductance(face_share * face_response + fvc::interpolate(mobility_));
-    const volScalarField leaving(fvc::div(face_share * phiHbyA + fvc::flux(solids_flux_)));
+    const surfaceScalarField conductance(face_share_ * face_response + fvc::interpolate(mobility_));
+    const volScalarField leaving(fvc::div(face_share_ * phiHbyA + fvc::flux(solids_flux_)));
     while (control_.correctNonOrthogonal()) {
         fvScalarMatrix pressure(fvm::laplacian(conductance, p_rgh_) == leaving.internalField() - surplus_);
         pressure.setReference(reference_cell_, reference_pressure_);
@@ -135,7 +149,7 @@ void PimpleGas::correct_pressure(fvVectorMatrix& momentum)
         if (control_.finalNonOrthogonalIter()) phi_ = phiHbyA - face_response * pressure.flux() / conductance;
     }
     p_rgh_.relax();
-    U_ = HbyA - pressure_response * fvc::grad(p_rgh_);
+    U_ = HbyA + rAU * fvc::reconstruct(force_flux());
     U_.correctBoundaryConditions();
 }
 

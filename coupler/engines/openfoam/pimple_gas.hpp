@@ -16,6 +16,10 @@ namespace interphase {
 /// second being the continuity of gas and solids together. All of it is implicit in u and p: rate is part of the
 /// matrix diagonal, Y and C of the pressure equation, which stays symmetric. So it holds for the velocity at the end of the
 /// step, to round-off, after every pressure correction. No solids cross the boundary of the mesh.
+///
+/// What the solids and the pressure gradient do to the gas is summed at the faces, where both are known with the same
+/// stencil, and then averaged to the cells: in dense beds they are hundreds of times their sum, and cell by cell the
+/// differences between neighbours would escape the flux, and the pressure.
 /// Schemes, solvers and boundary conditions are the case's. Laminar.
 class PimpleGas : public GasFields {
 public:
@@ -29,13 +33,15 @@ public:
 private:
     void take(const Demand& demand);
     void correct_pressure(Foam::fvVectorMatrix& momentum);
+    Foam::tmp<Foam::surfaceScalarField> force_flux() const;
 
     Foam::surfaceScalarField phi_;            ///< of u [m3/s]
     Foam::surfaceScalarField face_voidage_;
     Foam::volScalarField gas_share_;          ///< at the start of the step
     Foam::volScalarField::Internal rate_;     ///< over density [1/s]
-    Foam::volVectorField::Internal source_;   ///< over density [m/s2]
-    Foam::volScalarField share_;              ///< eps + Y: of the volume that feels the pressure gradient
+    Foam::volVectorField source_;             ///< over density [m/s2]
+    Foam::surfaceScalarField face_share_;     ///< eps + Y: of the volume that feels the pressure gradient
+    Foam::surfaceScalarField face_source_;    ///< source through the faces [m3/s2]
     Foam::volScalarField following_;          ///< Y
     Foam::volScalarField mobility_;           ///< C [m3 s/kg]
     Foam::volVectorField solids_flux_;        ///< A, with what p less p_rgh does [m/s]
