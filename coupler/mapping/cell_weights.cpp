@@ -59,8 +59,6 @@ void with_width(int width, Body&& body)
             return body(std::integral_constant<std::size_t, 1>{});
         case 4:
             return body(std::integral_constant<std::size_t, 4>{});
-        case 5:
-            return body(std::integral_constant<std::size_t, 5>{});
         case 6:
             return body(std::integral_constant<std::size_t, 6>{});
         case 7:

@@ -33,8 +33,8 @@ constexpr std::size_t momentum_record = 4;
 /// StressExchange adds.
 constexpr std::size_t homeward_record = 10;
 
-/// What goes to the cells of a particle: kappa, source (3), following, mobility, flux (3).
-constexpr std::size_t demand_record = 9;
+/// What goes to the cells of a particle: kappa, source (3), following, moving, mobility, flux (3).
+constexpr std::size_t demand_record = 10;
 
 Vector to_vector(const double* v) { return {v[0], v[1], v[2]}; }
 
@@ -293,8 +293,12 @@ void CouplingStep::write_demand(const double* record, double drag_rate, const do
     // the part of the force that does not wait for the gas solve
     put(demand + 1, drag.kappa * v + stiff * last_gas_velocity + (drag.carried - to_vector(record + pending)) / dt);
     demand[4] = following;
-    demand[5] = following * record[volume] * per_rate;
-    put(demand + 6, (record[volume] - following) * v + following * record[mass] * per_rate * g);
+    // solids that begin with the new forces move through the whole step at the velocity of its end
+    const double moving =
+        kicks_again_ ? -(1 - held) * std::expm1(-drag_rate * dt / record[mass]) * record[volume] : following;
+    demand[5] = moving;
+    demand[6] = moving * record[volume] * per_rate;
+    put(demand + 7, (record[volume] - moving) * v + moving * record[mass] * per_rate * g);
 }
 
 Vector CouplingStep::assumed_impulse(std::size_t visitor, const Vector& gas_velocity, const Vector& pressure_gradient,
@@ -317,8 +321,9 @@ void CouplingStep::map_demands(double dt)
         demand_.rate[c] = content[0] * per_volume;
         put(&demand_.source[3 * c], per_volume * to_vector(content + 1));
         demand_.following[c] = content[4] * per_volume;
-        demand_.mobility[c] = content[5] * per_volume;
-        put(&demand_.flux[3 * c], per_volume * to_vector(content + 6));
+        demand_.moving[c] = content[5] * per_volume;
+        demand_.mobility[c] = content[6] * per_volume;
+        put(&demand_.flux[3 * c], per_volume * to_vector(content + 7));
         demand_.gas_share[c] = gas_volume_[c] * per_volume;
         demand_.surplus[c] = (demand_.gas_share[c] - voidage_[c]) / dt;
     }

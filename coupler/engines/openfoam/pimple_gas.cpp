@@ -54,6 +54,7 @@ PimpleGas::PimpleGas(fvMesh& mesh)
       face_share_("pressedSharef", face_voidage_),
       face_source_("exchangeSourcef", fvc::flux(source_)),
       following_(field_of_solids<scalar>(mesh, "followingSolids", dimless)),
+      moving_(field_of_solids<scalar>(mesh, "movingSolids", dimless)),
       mobility_(field_of_solids<scalar>(mesh, "mobilityOfSolids", dimVelocity / (dimPressure / dimLength))),
       solids_flux_(field_of_solids<vector>(mesh, "fluxOfSolids", dimVelocity)),
       surplus_(cell_field<scalar>(mesh, "surplus", dimless / dimTime)),
@@ -76,6 +77,7 @@ void PimpleGas::take(const Demand& demand)
         rate_[c] = demand.rate[i] / density;
         source_[c] = (vector_in(demand.source) - demand.following[i] * weight) / density;
         following_[c] = demand.following[i];
+        moving_[c] = demand.moving[i];
         mobility_[c] = demand.mobility[i];
         solids_flux_[c] = vector_in(demand.flux) - demand.mobility[i] * weight;
         surplus_[c] = demand.surplus[i];
@@ -89,6 +91,7 @@ void PimpleGas::take(const Demand& demand)
     if (!first) gas_share_.oldTime().oldTime().primitiveFieldRef() = at_last_start;
 
     following_.correctBoundaryConditions();
+    moving_.correctBoundaryConditions();
     mobility_.correctBoundaryConditions();
     solids_flux_.correctBoundaryConditions();
     source_.correctBoundaryConditions();
@@ -140,8 +143,9 @@ void PimpleGas::correct_pressure(fvVectorMatrix& momentum)
     phiHbyA += rAUf * face_source_;
     constrainPressure(p_rgh_, U_, phiHbyA, face_response);
 
-    const surfaceScalarField conductance(face_share_ * face_response + fvc::interpolate(mobility_));
-    const volScalarField leaving(fvc::div(face_share_ * phiHbyA + fvc::flux(solids_flux_)));
+    const surfaceScalarField mixture(face_voidage_ + fvc::interpolate(moving_));
+    const surfaceScalarField conductance(mixture * face_response + fvc::interpolate(mobility_));
+    const volScalarField leaving(fvc::div(mixture * phiHbyA + fvc::flux(solids_flux_)));
     while (control_.correctNonOrthogonal()) {
         fvScalarMatrix pressure(fvm::laplacian(conductance, p_rgh_) == leaving.internalField() - surplus_);
         pressure.setReference(reference_cell_, reference_pressure_);

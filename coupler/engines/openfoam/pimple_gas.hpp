@@ -9,9 +9,9 @@
 namespace interphase {
 
 /// Volume-averaged incompressible flow, by PIMPLE (PISO with one outer corrector). With a Demand's rate, source, following
-/// Y, mobility C, flux A and surplus q, and p_rgh = p - rho g.x,
+/// Y, moving M, mobility C, flux A and surplus q, and p_rgh = p - rho g.x,
 ///     rho (s du/dt + eps u.grad u) = -(eps + Y) grad p + div(eps tau) + rho eps g - (rate u - source)
-///     div((eps + Y) u + A - C grad p) = q,
+///     div((eps + M) u + A - C grad p) = q,
 /// s the gas share of the step's start (so that the gas's momentum rho s u is kept while s changes by what flows), the
 /// second being the continuity of gas and solids together. All of it is implicit in u and p: rate is part of the
 /// matrix diagonal, Y and C of the pressure equation, which stays symmetric. So it holds for the velocity at the end of the
@@ -43,6 +43,7 @@ private:
     Foam::surfaceScalarField face_share_;     ///< eps + Y: of the volume that feels the pressure gradient
     Foam::surfaceScalarField face_source_;    ///< source through the faces [m3/s2]
     Foam::volScalarField following_;          ///< Y
+    Foam::volScalarField moving_;             ///< M
     Foam::volScalarField mobility_;           ///< C [m3 s/kg]
     Foam::volVectorField solids_flux_;        ///< A, with what p less p_rgh does [m/s]
     Foam::volScalarField::Internal surplus_;  ///< q [1/s]
