@@ -76,6 +76,7 @@ CoupledRun::CoupledRun(int& argc, char**& argv)
                             "constant/g and " + settings_.script, "give both the same value");
         coupling_ =
             std::make_unique<CouplingStep>(comm_, settings_, *gas_, *solids_, solids_->largest_diameter(), stopwatch_);
+        coupling_->start_at(case_.time());
     }
     results_ = std::make_unique<Results>(comm_);
     snapshots_ = std::make_unique<ParticleSnapshots>(comm_);
@@ -168,11 +169,16 @@ void CoupledRun::step()
     }
 
     stopwatch_.switch_to(Phase::output);
+    if (coupling_ && !coupling_->news().empty()) report_.warn(coupling_->news());
     if (coupling_ && settings_.two_way) {
         const Interventions counts = coupling_->interventions();
         std::vector<Results::Entry> row{{"time", "s", case_.time()},
                                         {"momentum_residual", "1", coupling_->ledger().momentum_residual()},
                                         {"volume_residual", "1", coupling_->ledger().volume_residual()},
+                                        {"gas_volume_residual", "1", coupling_->ledger().gas_volume_residual()},
+                                        {"steps_alternating", "1", static_cast<double>(counts.stability.alternating)},
+                                        {"steps_accelerating", "1", static_cast<double>(counts.stability.accelerating)},
+                                        {"steps_across_cells", "1", static_cast<double>(counts.stability.crossing)},
                                         {"cells_relieved", "1", static_cast<double>(counts.cells_relieved)},
                                         {"particles_outside_mesh", "1", static_cast<double>(counts.outside_mesh)},
                                         {"beyond_drag_range", "1", static_cast<double>(counts.beyond_drag_range)}};
@@ -218,7 +224,7 @@ void CoupledRun::record(bool at_start)
 void CoupledRun::finish()
 {
     stopwatch_.switch_to(Phase::output);
-    Report::Account account{case_.time(), {}, coupling_ && settings_.two_way, 0, 0, {}};
+    Report::Account account{case_.time(), {}, coupling_ && settings_.two_way, 0, 0, 0, {}};
     for (std::size_t phase = 0; phase < phase_names.size(); ++phase) {
         account.seconds[phase] = comm_.max(stopwatch_.seconds(static_cast<Phase>(phase)));
         results_->describe("/timing", std::string(phase_names[phase]), account.seconds[phase]);
@@ -226,6 +232,7 @@ void CoupledRun::finish()
     if (coupling_) {
         account.momentum_residual = coupling_->ledger().momentum_residual();
         account.volume_residual = coupling_->ledger().volume_residual();
+        account.gas_volume_residual = coupling_->ledger().gas_volume_residual();
         account.interventions = coupling_->interventions();
         account.has_solid_stress = coupling_->has_solid_stress();
         const auto sent = static_cast<double>(coupling_->doubles_sent());

@@ -55,6 +55,14 @@ void Report::progress(double time, const Observation& seen)
     std::fflush(stdout);
 }
 
+void Report::warn(const std::string& message) const
+{
+    if (!prints_) return;
+    std::fflush(stdout);
+    std::fprintf(stderr, "interphase: warning: %s\n", message.c_str());
+    std::fflush(stderr);
+}
+
 void Report::summary(const Account& account) const
 {
     if (!prints_) return;
@@ -68,11 +76,18 @@ void Report::summary(const Account& account) const
         std::printf("\n  balances\n");
         std::printf("    momentum, gas against particles  %.1e of the impulse exchanged\n", account.momentum_residual);
         std::printf("    solid volume, cells against particles  %.1e of the total\n", account.volume_residual);
+        std::printf("    gas volume, cells against boundary  %.1e of the total\n", account.gas_volume_residual);
     }
     std::printf("\n  counted\n");
     std::printf("    cells relieved at the packing limit    %ld\n", account.interventions.cells_relieved);
     std::printf("    particles without a gas cell           %ld\n", account.interventions.outside_mesh);
     std::printf("    particles beyond the drag law's range  %ld\n", account.interventions.beyond_drag_range);
+    if (account.two_way) {
+        const StabilityCounts& steps = account.interventions.stability;
+        std::printf("    gas steps that alternate               %ld\n", steps.alternating);
+        std::printf("    gas steps of particles beyond reason   %ld\n", steps.accelerating);
+        std::printf("    gas steps that cross a cell            %ld\n", steps.crossing);
+    }
     if (account.has_solid_stress) {
         const StepTooLong& too_long = account.interventions.step_too_long;
         std::printf("    cells beyond close packing             %ld\n", account.interventions.cells_overpacked);

@@ -20,13 +20,16 @@ public:
     void progress(double time, const Observation& seen);
     bool progress_due() const;
 
+    /// To standard error.
+    void warn(const std::string& message) const;
+
     double wall_seconds() const;
 
     struct Account {
         double simulated_time;
         std::array<double, phase_names.size()> seconds;  ///< the slowest rank's, phase by phase
         bool two_way;
-        double momentum_residual, volume_residual;
+        double momentum_residual, volume_residual, gas_volume_residual;
         Interventions interventions;
         bool has_solid_stress = false;
     };

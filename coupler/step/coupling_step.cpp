@@ -5,50 +5,19 @@
 #include <cmath>
 
 #include "momentum/drag_response.hpp"
-#include "momentum/rate_over_step.hpp"
+#include "step/coupling_records.hpp"
 
 namespace interphase {
 
 namespace {
-
-/// What a particle brings to its gas cell. One-way scenes send the first nine entries only, those with solid stress four
-/// more at the end: momentum and mass.
-enum VisitorEntry {
-    position = 0,
-    velocity = 3,  // with which it begins the step
-    diameter = 6,  // of the real particle
-    volume = 7,    // of solids in the tracked one
-    mass = 8,
-    one_way_record = 9,
-    pending = 9,
-    by_contacts = 12,       // what the last step changed in its momentum
-    without_contacts = 15,  // and would have
-    weight = 18,            // and gravity alone, with drag
-    two_way_record = 19,
-};
-constexpr std::size_t held_record = two_way_record - by_contacts;
-constexpr std::size_t momentum_record = 4;
-
-/// What it takes home: drag rate, gas velocity, pressure gradient, what the gas solve assumed of its impulse, and what a
-/// StressExchange adds.
-constexpr std::size_t homeward_record = 10;
-
-/// What goes to the cells of a particle: kappa, source (3), following, moving, mobility, flux (3).
-constexpr std::size_t demand_record = 10;
-
-Vector to_vector(const double* v) { return {v[0], v[1], v[2]}; }
-
-Vector vector_at(const Scalars& flat, std::size_t start) { return to_vector(&flat[start]); }
 
 /// Whether it rests where it rested a gas step ago: then nobody moves it, whatever pushes it.
 bool rests(const ParticleView& particles, std::size_t i)
 {
     const ParticleCoupling& own = particles.coupling[i];
     return own.response_time > 0 && particles.velocity.col(static_cast<Eigen::Index>(i)).isZero(0) &&
-           interphase::to_vector(own.start_velocity).isZero(0);
+           to_vector(own.start_velocity).isZero(0);
 }
-
-void put(double* start, const Vector& v) { std::copy_n(v.data(), 3, start); }
 
 /// Summed blockwise, so that round-off does not grow with the number of terms.
 double sum(const Scalars& terms)
@@ -73,11 +42,13 @@ CouplingStep::CouplingStep(const Communicator& comm, const Settings& settings, G
       mapping_(comm, gas.mesh(), settings.mapping,
                settings.kernel_width > 0 ? settings.kernel_width : 2 * largest_diameter, settings.maximum_packing),
       ledger_(comm),
+      watch_(solids.gravity().norm()),
       stress_model_(solids.solid_stress()),
       voidage_(gas.mesh().size(), 1.0),
       solid_volume_(gas.mesh().size(), 0.0),
       hold_(gas.mesh().size(), Hold{0.0, 0.0}),
-      demand_(gas.mesh().size())
+      demand_(gas.mesh().size()),
+      widest_((comm.max(Vector(gas.locator().bounds().col(1))) - comm.min(Vector(gas.locator().bounds().col(0)))).norm())
 {
     if (stress_model_) stress_.emplace(comm_, gas_, mapping_, *stress_model_);
 }
@@ -98,12 +69,15 @@ void CouplingStep::advance(double dt, int substeps)
     bring_particles_to_their_cells();
     map_voidage();
     map_solid_stress();
+    note_crossing(dt);
     if (settings_.two_way) judge_contacts();
     map_drag(dt);
     solve_gas(dt);
     return_gas_to_particles(dt);
+    refuse_impossible_flight();
     move_particles(substeps);
     book();
+    if (settings_.two_way) watch(dt);
 }
 
 void CouplingStep::bring_particles_to_their_cells()
@@ -195,19 +169,6 @@ void CouplingStep::kick_again(const ParticleView& particles, std::size_t i, cons
     solids_.kick_again(i, velocity + half * force, force);
 }
 
-void CouplingStep::judge_contacts()
-{
-    const std::size_t width = visitor_width();
-    Scalars changes(held_record * visits_.visitors());
-    for (std::size_t i = 0; i < visits_.visitors(); ++i)
-        std::copy_n(&visitors_[i * width + by_contacts], held_record, &changes[i * held_record]);
-    const Scalars sums = mapping_.to_cells(changes, held_record);
-    for (std::size_t c = 0; c < hold_.size(); ++c) {
-        const double* of_cell = &sums[c * held_record];
-        hold_[c] = hold_of_contacts(to_vector(of_cell), to_vector(of_cell + 3), of_cell[6]);
-    }
-}
-
 void CouplingStep::map_voidage()
 {
     stopwatch_.switch_to(Phase::mapping);
@@ -241,92 +202,6 @@ void CouplingStep::map_solid_stress()
     for (std::size_t i = 0; i < visits_.visitors(); ++i)
         std::copy_n(&visitors_[(i + 1) * width - momentum_record], momentum_record, &momenta[i * momentum_record]);
     stress_->compute(solid_volume_, momenta);
-}
-
-void CouplingStep::map_drag(double dt)
-{
-    const std::size_t width = visitor_width(), seen_width = 9;
-    const Scalars gas_velocity = gas_.velocity();
-    const bool first_step = pressure_gradient_.empty();
-    if (first_step) pressure_gradient_ = gas_.pressure_gradient();
-    Scalars seen_by_cells(seen_width * voidage_.size());
-    for (std::size_t c = 0; c < voidage_.size(); ++c) {
-        double* seen = &seen_by_cells[seen_width * c];
-        seen[0] = voidage_[c];
-        std::copy_n(&gas_velocity[3 * c], 3, seen + 1);
-        seen[4] = hold_[c].held;
-        seen[5] = hold_[c].doubt;
-        std::copy_n(&pressure_gradient_[3 * c], 3, seen + 6);
-    }
-    mapping_.to_particles(seen_by_cells, seen_width, seen_);
-
-    drag_rates_.resize(visits_.visitors());
-    demands_.resize(settings_.two_way ? demand_record * visits_.visitors() : 0);
-    for (std::size_t i = 0; i < visits_.visitors(); ++i) {
-        const double* record = &visitors_[i * width];
-        const double* seen = &seen_[seen_width * i];
-        const double eps = seen[0], d = record[diameter], held = first_step ? 0.0 : seen[4];
-        const Vector slip = to_vector(seen + 1) - to_vector(record + velocity);
-        const double reynolds = eps * gas_.density() * slip.norm() * d / gas_.viscosity();
-        beyond_range_ += eps < law_.voidage_min || eps > law_.voidage_max || reynolds > law_.reynolds_max;
-        const auto rate_of = [&](double slip_speed) {
-            return record[volume] *
-                   drag_rate_per_volume(law_, eps, slip_speed, d, gas_.density(), gas_.viscosity());
-        };
-        const Vector acceleration = solids_.gravity() - record[volume] / record[mass] * to_vector(seen + 6);
-        drag_rates_[i] = rate_over_step(rate_of, slip, record[mass], (1 - held) * acceleration, dt);
-        if (settings_.two_way) write_demand(record, drag_rates_[i], seen, dt, &demands_[demand_record * i]);
-    }
-    if (settings_.two_way) map_demands(dt);
-}
-
-void CouplingStep::write_demand(const double* record, double drag_rate, const double* seen, double dt,
-                                double* demand) const
-{
-    const Vector v = to_vector(record + velocity), last_gas_velocity = to_vector(seen + 1), g = solids_.gravity();
-    const double held = seen[4], doubt = seen[5];
-    const AssumedDrag drag = assume_drag(record[mass], drag_rate, held, g, dt);
-    const double stiff = stiffening(drag_rate, record[mass], doubt, dt);
-    const double following = drag.following * record[volume];
-    const double per_rate = drag_rate > 0 ? 1.0 / drag_rate : 0.0;
-    demand[0] = drag.kappa + stiff;
-    // the part of the force that does not wait for the gas solve
-    put(demand + 1, drag.kappa * v + stiff * last_gas_velocity + (drag.carried - to_vector(record + pending)) / dt);
-    demand[4] = following;
-    // solids that begin with the new forces move through the whole step at the velocity of its end
-    const double moving =
-        kicks_again_ ? -(1 - held) * std::expm1(-drag_rate * dt / record[mass]) * record[volume] : following;
-    demand[5] = moving;
-    demand[6] = moving * record[volume] * per_rate;
-    put(demand + 7, (record[volume] - moving) * v + moving * record[mass] * per_rate * g);
-}
-
-Vector CouplingStep::assumed_impulse(std::size_t visitor, const Vector& gas_velocity, const Vector& pressure_gradient,
-                                     double dt) const
-{
-    const double *record = &visitors_[visitor_width() * visitor], *demand = &demands_[demand_record * visitor];
-    const Vector drag = dt * (demand[0] * gas_velocity - to_vector(demand + 1)) - to_vector(record + pending);
-    return drag - dt * (record[volume] - demand[4]) * pressure_gradient;
-}
-
-void CouplingStep::map_demands(double dt)
-{
-    const Scalars contents = mapping_.to_cells(demands_, demand_record);
-    if (gas_volume_.empty())
-        for (std::size_t c = 0; c < voidage_.size(); ++c)
-            gas_volume_.push_back(voidage_[c] * gas_.mesh().volume[c]);
-    for (std::size_t c = 0; c < voidage_.size(); ++c) {
-        const double* content = &contents[demand_record * c];
-        const double volume = gas_.mesh().volume[c], per_volume = 1.0 / volume;
-        demand_.rate[c] = content[0] * per_volume;
-        put(&demand_.source[3 * c], per_volume * to_vector(content + 1));
-        demand_.following[c] = content[4] * per_volume;
-        demand_.moving[c] = content[5] * per_volume;
-        demand_.mobility[c] = content[6] * per_volume;
-        put(&demand_.flux[3 * c], per_volume * to_vector(content + 7));
-        demand_.gas_share[c] = gas_volume_[c] * per_volume;
-        demand_.surplus[c] = (demand_.gas_share[c] - voidage_[c]) / dt;
-    }
 }
 
 void CouplingStep::solve_gas(double dt)
@@ -468,7 +343,8 @@ Interventions CouplingStep::interventions() const
             comm_.sum(outside_),
             comm_.sum(beyond_range_),
             comm_.sum(stress_ ? stress_->cells_overpacked() : 0L),
-            {comm_.sum(too_long_.crossing_cells), comm_.sum(too_long_.beyond_relaxation)}};
+            {comm_.sum(too_long_.crossing_cells), comm_.sum(too_long_.beyond_relaxation)},
+            watch_.counts()};
 }
 
 std::size_t CouplingStep::doubles_sent() const

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cfloat>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "drag/drag_law.hpp"
@@ -15,6 +17,7 @@
 #include "settings/settings.hpp"
 #include "step/gas.hpp"
 #include "step/solids.hpp"
+#include "step/stability_watch.hpp"
 #include "step/stress_exchange.hpp"
 
 namespace interphase {
@@ -28,6 +31,8 @@ struct Interventions {
     // of a model with solid stress
     long cells_overpacked = 0;  ///< cells beyond its close packing, cell by cell and step by step
     StepTooLong step_too_long;  ///< particle by particle and step by step
+
+    StabilityCounts stability;  ///< gas steps
 };
 
 /// One lockstep of gas and particles.
@@ -36,6 +41,9 @@ public:
     CouplingStep(const Communicator& comm, const Settings& settings, Gas& gas, Solids& solids, double largest_diameter,
                  Stopwatch& stopwatch);
 
+    /// The time that messages count from [s]; 0 at first.
+    void start_at(double time) { time_ = time; }
+
     /// Advances gas and particles by `dt` = `substeps` solid steps. Throws a UserError on all ranks if a particle is
     /// outside the mesh, a packing cannot be relieved, a value is not finite or a weight below 1. Collective.
     void advance(double dt, int substeps);
@@ -43,8 +51,11 @@ public:
     const Ledger& ledger() const { return ledger_; }
     const Scalars& voidage() const { return voidage_; }
     bool has_solid_stress() const { return stress_.has_value(); }
-    /// What the solid stress bore in the last gas step (eq. 28 of the paper), the same on all ranks [s].
-    double longest_step() const { return longest_step_; }
+    /// What the next gas step should not exceed, the same on all ranks [s]: what the solid stress bore in the last one
+    /// (eq. 28 of the paper), and what the stability watch asks for.
+    double longest_step() const { return std::min(longest_step_, watch_.longest_step()); }
+    /// What the watch on stability has to tell of the last gas step; empty where there is nothing new.
+    const std::string& news() const { return news_; }
 
     /// Collective.
     Interventions interventions() const;
@@ -68,6 +79,10 @@ private:
     void leave_without_gas(const ParticleView& particles, std::size_t i);
     void move_particles(int substeps);
     void book();
+    void note_crossing(double dt);
+    StepState state_of_step(double dt);
+    void watch(double dt);
+    void refuse_impossible_flight() const;
 
     bool needs_solid_volume() const { return settings_.two_way || stress_; }
     std::size_t visitor_width() const;
@@ -92,6 +107,7 @@ private:
     Visits visits_;
     Mapping mapping_;
     Ledger ledger_;
+    StabilityWatch watch_;
     SolidStress* stress_model_;
     std::optional<StressExchange> stress_;  ///< of a model that wants it
 
@@ -115,6 +131,10 @@ private:
     Vector assumed_at_start_ = Vector::Zero();
     double solid_step_ = 0;
     bool kicks_again_ = false;  ///< the solids begin this gas step with its own forces
+    double time_ = 0;      ///< for the watch [s]
+    double crossing_ = 0;  ///< most gas cells that a particle of this rank crosses in the step
+    double widest_;        ///< diagonal of the whole mesh [m]
+    std::string news_;
     long outside_ = 0;
     long relieved_ = 0;
     long beyond_range_ = 0;
