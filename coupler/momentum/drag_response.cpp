@@ -38,16 +38,25 @@ Vector free_change(double mass, double drag_rate, const Vector& slip, const Vect
     return relaxed_share(x) * dt * (drag_rate / mass * slip + acceleration);
 }
 
-Hold hold_of_contacts(const Vector& by_contacts, const Vector& without_contacts, double weight)
+void Hold::judge(const Vector& by_contacts, const Vector& without_contacts, double weight)
 {
     const double expected = without_contacts.norm();
-    if (expected <= 0) return {1.0, 0.0};
-    // shares of the weight: in a steady suspension the forces on a cell's solids differ from balance by less than the first
-    constexpr double balanced = 0.02, telling = 0.1;
-    const double known =
-        weight > 0 ? std::clamp((expected / weight - balanced) / (telling - balanced), 0.0, 1.0) : 1.0;
-    const double seen = std::clamp(-by_contacts.dot(without_contacts) / (expected * expected), 0.0, 1.0);
-    return {known * seen, 1.0 - known};
+    if (expected <= 0) {
+        *this = Hold{1.0, 0.0, steps};
+        return;
+    }
+    constexpr double balanced = 0.02, telling = 0.1;              // shares of the weight
+    constexpr double still = 1e-3, untouched = 0.1, pushed = 0.3;  // shares of what is expected
+    const auto rise = [](double x, double from, double to) { return std::clamp((x - from) / (to - from), 0.0, 1.0); };
+    const double known = weight > 0 ? rise(expected / weight, balanced, telling) : 1.0;
+    const bool rests = (by_contacts + without_contacts).norm() <= still * std::max(expected, telling * weight);
+    if (!rests)
+        steps = 0;
+    else if (known >= 1)  // in balance it may be free as well, and what was believed before stays
+        steps = steps < 0 ? enough : std::min(steps + 1, enough);  // the first sight counts at once
+    steps = std::max(steps, 0);
+    held = static_cast<double>(steps) / enough;
+    doubt = (1.0 - held) * (1.0 - known * (1.0 - rise(by_contacts.norm() / expected, untouched, pushed)));
 }
 
 double stiffening(double drag_rate, double mass, double doubt, double dt)

@@ -44,19 +44,27 @@ AssumedDrag assume_drag(double mass, double drag_rate, double held, const Vector
 /// The change of velocity over dt of a particle without contacts [m/s].
 Vector free_change(double mass, double drag_rate, const Vector& slip, const Vector& acceleration, double dt);
 
-/// What is known of the contacts that solids bear.
+/// What is known of how contacts hold the solids of a cell.
+///
+/// Solids count as free until contacts have kept them at rest for some steps: a gas solve that takes held solids for free
+/// converges with its lagged correction at any step (the pressure at phi/(phi + eps), the velocity as `stiffening` says).
+/// One that takes free solids for held, or for half held, diverges in dense beds from a gas step of a third of the
+/// relaxation time on (1 - e^-x = 2 eps^2 for one half), and a judgement that changes from step to step kicks the bed: so
+/// it is made slowly, and of solids that rest.
 struct Hold {
-    double held;   ///< 0 (free) to 1: how far contacts take up what other forces do
-    double doubt;  ///< 0 to 1: how far that is a guess
-};
+    double held = 0;   ///< 1 where contacts take up all that other forces do, 0 where solids are free
+    double doubt = 0;  ///< 0 to 1: how far 0 is a guess
+    int steps = -1;    ///< on end that they were held, up to `enough`; below 0: nothing was seen yet
 
-/// How contacts held the solids of a cell in the last step: from the sums over its particles of m times the velocity
-/// change by contacts and of m times the change without contacts [kg m/s]. Contacts inside the cell cancel in the first,
-/// so collisions say nothing. `weight` [kg m/s]: what gravity alone would have given. Where the second is well below it,
-/// forces balance, which tells nothing of contacts: such solids count as free, in doubt. Where there is nothing at all, the
-/// answer is held: a gas step that takes free particles for held gives them too little, once; the other way round they
-/// would be pushed back by dt k / m times too much.
-Hold hold_of_contacts(const Vector& by_contacts, const Vector& without_contacts, double weight);
+    static constexpr int enough = 10;
+
+    /// By what the last step did: the sums over the cell's particles of m times the velocity change by contacts and of m
+    /// times the change without contacts [kg m/s]. Contacts inside the cell cancel in the first, so collisions say
+    /// nothing. `weight` [kg m/s]: what gravity alone would have given. Where the second is well below it, forces
+    /// balance, which tells nothing of contacts. Where there is nothing at all, the answer is held: too little is given
+    /// to what comes there, once.
+    void judge(const Vector& by_contacts, const Vector& without_contacts, double weight);
+};
 
 /// Rate [kg/s] that the gas solve adds to kappa where there is `doubt`, on the change of the gas velocity from the last
 /// step: half of what is between the free particle's rate and the held one's. The lagged correction of what the particles

@@ -46,7 +46,7 @@ CouplingStep::CouplingStep(const Communicator& comm, const Settings& settings, G
       stress_model_(solids.solid_stress()),
       voidage_(gas.mesh().size(), 1.0),
       solid_volume_(gas.mesh().size(), 0.0),
-      hold_(gas.mesh().size(), Hold{0.0, 0.0}),
+      hold_(gas.mesh().size()),
       demand_(gas.mesh().size()),
       widest_((comm.max(Vector(gas.locator().bounds().col(1))) - comm.min(Vector(gas.locator().bounds().col(0)))).norm())
 {

@@ -19,7 +19,7 @@ void CouplingStep::judge_contacts()
     const Scalars sums = mapping_.to_cells(changes, held_record);
     for (std::size_t c = 0; c < hold_.size(); ++c) {
         const double* of_cell = &sums[c * held_record];
-        hold_[c] = hold_of_contacts(to_vector(of_cell), to_vector(of_cell + 3), of_cell[6]);
+        hold_[c].judge(to_vector(of_cell), to_vector(of_cell + 3), of_cell[6]);
     }
 }
 

@@ -83,41 +83,86 @@ TEST(AssumedDrag, WithoutDragThereIsNone)
     EXPECT_EQ(none.carried, Vector::Zero());
 }
 
+Hold judged(const Vector& by_contacts, const Vector& expected, double weight, int times = Hold::enough)
+{
+    Hold hold;
+    hold.steps = 0;
+    for (int n = 0; n < times; ++n)
+        hold.judge(by_contacts, expected, weight);
+    return hold;
+}
+
 TEST(Hold, TellsFreeFromHeld)
 {
     const Vector expected(0.1, 0, -0.3);
     const double weight = 0.3;
-    const auto held = [&](const Vector& by_contacts) { return hold_of_contacts(by_contacts, expected, weight).held; };
-    EXPECT_EQ(held(Vector::Zero()), 0.0);
-    EXPECT_EQ(held(-expected), 1.0);
-    EXPECT_EQ(held(-2 * expected), 1.0);  // pushed back: not more than held
-    EXPECT_EQ(held(expected), 0.0);       // pushed along: not less than free
-    EXPECT_NEAR(held(-0.75 * expected), 0.75, rounding);
-    EXPECT_NEAR(held(Vector(0.3, 0, 0.1)), 0.0, rounding);  // across: says nothing
-    EXPECT_EQ(hold_of_contacts(-expected, expected, weight).doubt, 0.0);
+    const Hold free = judged(Vector::Zero(), expected, weight), held = judged(-expected, expected, weight);
+    EXPECT_EQ(free.held, 0.0);
+    EXPECT_EQ(free.doubt, 0.0);
+    EXPECT_EQ(held.held, 1.0);
+    EXPECT_EQ(held.doubt, 0.0);
+    EXPECT_EQ(judged(-0.9995 * expected, expected, weight).held, 1.0);  // nearly
+}
+
+TEST(Hold, IsBelievedStepByStepAndDroppedInOne)
+{
+    const Vector expected(0.1, 0, -0.3);
+    EXPECT_NEAR(judged(-expected, expected, 0.3, Hold::enough / 2).held, 0.5, rounding);
+    Hold hold = judged(-expected, expected, 0.3);
+    hold.judge(-0.9 * expected, expected, 0.3);
+    EXPECT_EQ(hold.held, 0.0);
+}
+
+TEST(Hold, StaysWhereForcesComeToBalanceAndNothingMoves)
+{
+    const Vector expected(0, 0, -0.3), little(0, 0, 1e-3);
+    Hold hold = judged(-expected, expected, 0.3);
+    hold.judge(-little, little, 0.3);
+    EXPECT_EQ(hold.held, 1.0);
+    hold.judge(Vector::Zero(), little, 0.3);  // moved, by a three-hundredth of what its weight would
+    EXPECT_EQ(hold.held, 0.0);
+}
+
+TEST(Hold, BelievesWhatItSeesFirst)
+{
+    const Vector expected(0.1, 0, -0.3);
+    Hold hold;
+    hold.judge(-expected, expected, 0.3);
+    EXPECT_EQ(hold.held, 1.0);
+}
+
+TEST(Hold, IsInDoubtWhereContactsActAndDoNotHold)
+{
+    const Vector expected(0.1, 0, -0.3);
+    for (const Vector& by_contacts : {Vector(-0.5 * expected), Vector(-2 * expected), expected, Vector(0.3, 0, 0.1),
+                                      Vector(0, 0, 0.3)}) {  // the last: held along z, free along x
+        const Hold hold = judged(by_contacts, expected, 0.3);
+        EXPECT_EQ(hold.held, 0.0) << by_contacts.transpose();
+        EXPECT_EQ(hold.doubt, 1.0) << by_contacts.transpose();
+    }
 }
 
 TEST(Hold, BalanceTellsNothing)
 {
     const Vector little(0, 0, 1e-3);
     for (const Vector& by_contacts : {Vector(Vector::Zero()), Vector(-little), little}) {
-        EXPECT_EQ(hold_of_contacts(by_contacts, little, 1.0).held, 0.0);
-        EXPECT_EQ(hold_of_contacts(by_contacts, little, 1.0).doubt, 1.0);
+        EXPECT_EQ(judged(by_contacts, little, 1.0).held, 0.0);
+        EXPECT_EQ(judged(by_contacts, little, 1.0).doubt, 1.0);
     }
 }
 
 TEST(Hold, WithoutGravityAnyAnswerTells)
 {
     const Vector little(0, 0, 1e-9);
-    EXPECT_EQ(hold_of_contacts(Vector::Zero(), little, 0.0).held, 0.0);
-    EXPECT_EQ(hold_of_contacts(-little, little, 0.0).held, 1.0);
-    EXPECT_EQ(hold_of_contacts(-little, little, 0.0).doubt, 0.0);
+    EXPECT_EQ(judged(Vector::Zero(), little, 0.0).doubt, 0.0);
+    EXPECT_EQ(judged(-little, little, 0.0).held, 1.0);
 }
 
 TEST(Hold, WhereNothingIsKnownIsTheSafeGuess)
 {
-    EXPECT_EQ(hold_of_contacts(Vector::Zero(), Vector::Zero(), 0.0).held, 1.0);
-    EXPECT_EQ(hold_of_contacts(Vector::Zero(), Vector::Zero(), 0.0).doubt, 0.0);
+    Hold hold;
+    hold.judge(Vector::Zero(), Vector::Zero(), 0.0);
+    EXPECT_EQ(hold.held, 1.0);
 }
 
 TEST(Stiffening, MakesTheLaggedCorrectionConvergeForFreeAndHeld)
