@@ -66,3 +66,15 @@ def write_bed(*arguments):
     """dem/bed.data by tools/bed; ends the program with its exit code. Numbers are handed over with all their digits."""
     words = [repr(word) if isinstance(word, float) else str(word) for word in arguments]
     sys.exit(subprocess.run(["bed", *words, "--out", "dem/bed.data"]).returncode)
+
+
+def write_spheres(centres, diameter, density, box, types=2):
+    """dem/bed.data of equal spheres of type 1 at `centres` [n, 3] in the LIGGGHTS domain `box` (low and high along x, y, z), SI units."""
+    with open("dem/bed.data", "w", encoding="ascii") as out:
+        out.write(f"LIGGGHTS data file, atom_style granular, SI units: {len(centres)} spheres\n\n")
+        out.write(f"{len(centres)} atoms\n{types} atom types\n\n")
+        for axis, low, high in zip("xyz", box[0::2], box[1::2]):
+            out.write(f"{float(low)!r} {float(high)!r} {axis}lo {axis}hi\n")
+        out.write("\nAtoms\n\n")
+        for number_, (x, y, z) in enumerate(centres, 1):
+            out.write(f"{number_} 1 {float(diameter)!r} {float(density)!r} {float(x)!r} {float(y)!r} {float(z)!r}\n")

@@ -1,0 +1,39 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+# timeout: 600
+# processors: 1
+"""Dense suspensions and beds at gas steps below, at and above the relaxation time: none is wrong without a word (tools/envelope --quick),
+and the books close."""
+
+import csv
+import os
+import subprocess
+import sys
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+
+import support  # noqa: E402
+
+
+class Envelope(support.ProgramTest):
+    def test_nothing_fails(self):
+        out = os.path.join(self.root, "envelope")
+        done = subprocess.run(
+            [os.path.join(support.TOOLS, "envelope"), "--quick", "--out", out], stdin=subprocess.DEVNULL, capture_output=True, text=True,
+            env=support.environment(INTERPHASE_BIN=support.PROGRAM), timeout=500,
+        )  # fmt: skip
+        print(done.stdout)
+        with open(os.path.join(out, "map.csv"), encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertGreater(len(rows), 5)
+        self.assertEqual([row for row in rows if row["verdict"] == "failed"], [])
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        for row in rows:
+            if row["books"]:
+                self.assertLess(float(row["books"]), 1e-12, row)
+        self.assertTrue(os.path.isfile(os.path.join(out, "map.png")))
+
+
+if __name__ == "__main__":
+    unittest.main()
