@@ -328,6 +328,11 @@ void CouplingStep::book()
     if (!settings_.two_way) return;
 
     for (std::size_t i = 0; i < particles.size(); ++i) {
+        if (stress_) {
+            const double m = particles.mass[static_cast<Eigen::Index>(i)];
+            const Vector force = stress_->returned_by_drag(i, m, solid_step_) / solid_step_;
+            Eigen::Map<Vector>(particles.booked + 3 * i) += force;
+        }
         const Vector taken = solid_step_ * particles.booked_force(i);
         const Vector assumed = to_vector(particles.coupling[i].assumed_impulse);
         transactions_.taken_by_particles += taken;

@@ -6,7 +6,7 @@
 
 namespace interphase {
 
-/// What the gas mesh knows where a particle is, at the start of a gas step.
+/// What the gas mesh knows where a particle is, at the start of a gas step, and what the model made of it.
 struct StressState {
     double gradient[3] = {0, 0, 0};       ///< of the solid stress [Pa/m]
     double solid_fraction = 0;            ///< above 0 wherever there is a particle, its own volume included
@@ -15,6 +15,11 @@ struct StressState {
                                0};    ///< at which the mean motion compresses the cell, by axis; 0: it does not [m/s]
     double cell_size[3] = {0, 0, 0};  ///< of the gas cell that holds the centre [m]; 0: in no cell
     double relaxation_time = 0;       ///< mass over drag rate, of the drag law at the actual slip [s]
+
+    /// Written by the model: by how much the stress changed the velocity in this gas step [m/s]. It is taken as a force
+    /// that acted all through each solid step, so that drag gave back its share: a bed that its stress holds at rest has
+    /// the drag of one at rest, however long the step.
+    double change[3] = {0, 0, 0};
 };
 
 /// Particles of a rank for which a gas step was too long (a warning each, not an error).

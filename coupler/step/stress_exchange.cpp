@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "momentum/drag_response.hpp"
+#include "momentum/particle_coupling.hpp"
 
 namespace interphase {
 
@@ -119,6 +121,15 @@ StepTooLong StressExchange::begin(const Scalars& answers, std::size_t before, co
     const char* complaint = model_.complaint();
     comm_.fail_together(complaint ? std::optional<std::string>(complaint) : std::nullopt);
     return found;
+}
+
+Vector StressExchange::returned_by_drag(std::size_t i, double mass, double solid_step) const
+{
+    const StressState& state = model_.states()[i];
+    if (!(state.relaxation_time > 0 && state.relaxation_time < DBL_MAX)) return Vector::Zero();
+    const double x = solid_step / state.relaxation_time;
+    // a constant force changes the velocity by its relaxed share: that is what the model gave, and this the rest of it
+    return -withheld_share(x) / relaxed_share(x) * mass * to_vector(state.change);
 }
 
 }  // namespace interphase

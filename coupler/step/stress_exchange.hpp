@@ -36,6 +36,10 @@ public:
     StepTooLong begin(const Scalars& answers, std::size_t before, const std::vector<std::size_t>& order,
                       const ScalarsView& mass, double gas_step);
 
+    /// What drag gave back of the stress's impulse on particle i of the rank in the last gas step, of solid steps of
+    /// `solid_step` [s]: an impulse of the fluid [kg m/s].
+    Vector returned_by_drag(std::size_t i, double mass, double solid_step) const;
+
     /// Cells of this rank beyond close packing, cell by cell and step by step.
     long cells_overpacked() const { return cells_overpacked_; }
 

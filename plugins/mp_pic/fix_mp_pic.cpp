@@ -160,6 +160,8 @@ Vector FixMpPic::take_stress(int i)
     const double e = restitution_[at(atom->type[i] - 1)];
     const Vector change = limited_stress_change(state, before, before + kick, density, e, update->dt);
     velocity += change;
+    for (int axis = 0; axis < 3; ++axis)
+        states_[at(i)].change[axis] += change[axis];
     return change;
 }
 

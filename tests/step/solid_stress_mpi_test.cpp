@@ -9,6 +9,7 @@
 #include <random>
 
 #include "base/user_error.hpp"
+#include "momentum/drag_response.hpp"
 #include "support/scene.hpp"
 #include "support/world.hpp"
 
@@ -176,6 +177,44 @@ TEST(SolidStress, LeavesTheBooksBalancedAndCounts)
     EXPECT_EQ(counts.cells_overpacked, 0);
     EXPECT_EQ(counts.step_too_long.crossing_cells, 20 * world().size());
     EXPECT_EQ(counts.step_too_long.beyond_relaxation, 40 * world().size());
+}
+
+/// Holds every particle at rest against whatever it would do, as a stress may: half of it is enough to see it booked.
+class HoldingStress : public LinearStress {
+public:
+    StepTooLong begin(double gas_step) override
+    {
+        const StepTooLong found = LinearStress::begin(gas_step);
+        for (StressState* state = states(); state != states() + 100; ++state)
+            state->change[2] = given_;
+        return found;
+    }
+    void give(double change) { given_ = change; }
+
+private:
+    double given_ = 0;
+};
+
+TEST(SolidStress, WhatDragGivesBackOfItIsTakenFromTheGas)
+{
+    // particles all alike, step of some relaxation times: the fluid's impulse differs by what drag gives back of the
+    // stress's, and the books stay closed
+    const auto taken = [](double change) {
+        HoldingStress model;
+        model.give(change);
+        Scene s(world(), planes(), 1.2, 18, stack({1, 1, 1, 1}), gravity, solid_step, rules(), &model);
+        s.gas.hold_velocity();
+        s.advance(2);
+        EXPECT_LT(s.step.ledger().momentum_residual(), 1e-12);
+        Vector booked = Vector::Zero();
+        const ParticleView view = s.particles.particles();
+        for (std::size_t i = 0; i < view.size(); ++i)
+            booked += solid_step * view.booked_force(i);
+        return std::pair(world().sum(booked).z(), model[0].relaxation_time);
+    };
+    const auto [without, relaxation_time] = taken(0.0);
+    const double change = 1e-3, mass = 64 * 1000 * M_PI / 6 * std::pow(diameter, 3), x = solid_step / relaxation_time;
+    EXPECT_NEAR((taken(change).first - without) / (-withheld_share(x) / relaxed_share(x) * mass * change), 1, 1e-9);
 }
 
 TEST(SolidStress, IsNotSentWhereNoneAsks)

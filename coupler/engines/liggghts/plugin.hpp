@@ -32,7 +32,7 @@
 namespace interphase {
 
 /// Changes whenever a plug-in built before could be misread or misused.
-constexpr std::uint32_t plugin_interface_version = 3;
+constexpr std::uint32_t plugin_interface_version = 4;
 
 /// A fix style that the plug-in brings: as a script writes it, and what makes one.
 struct PluginStyle {

@@ -214,6 +214,10 @@ class BadInput(support.ProgramTest):
                           integrator="fix move all mp_pic overfilled count\n")  # fmt: skip
         self.assertEqual(done.code, 0)
 
+    def test_mapping_by_centres_with_the_gas_s_answer(self):
+        self.ended("do not go together: single cells fill and empty .* remedy: set `type kernel;`", mapping="type cellCentre;",
+                   gas="model pimple; coupling twoWay;")  # fmt: skip
+
     def test_steps_that_cross_cells(self):
         position, velocity = crowd(speed=0.0, counts=(4, 4, 8))
         velocity[5] = (0, 0, 30.0)
