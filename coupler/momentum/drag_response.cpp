@@ -45,7 +45,7 @@ void Hold::judge(const Vector& by_contacts, const Vector& without_contacts, doub
         *this = Hold{1.0, 0.0, steps};
         return;
     }
-    constexpr double balanced = 0.02, telling = 0.1;              // shares of the weight
+    constexpr double balanced = 0.02, telling = 0.1;               // shares of the weight
     constexpr double still = 1e-3, untouched = 0.1, pushed = 0.3;  // shares of what is expected
     const auto rise = [](double x, double from, double to) { return std::clamp((x - from) / (to - from), 0.0, 1.0); };
     const double known = weight > 0 ? rise(expected / weight, balanced, telling) : 1.0;

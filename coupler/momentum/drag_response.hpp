@@ -15,9 +15,9 @@ namespace interphase {
 //     kappa dt (u - v) + (1 - y) dt F_p - y m dt g,   y the share 1 - (1 - e^-x)/x of a free particle, 0 of a held one:
 // drag gives back the share y of what pressure and gravity do. Over the step the free particle moves at
 //     v + y (u - v + (g + F_p/m) m/k)
-// on average, so y is also how far its motion follows the gas. Both are linear in u and grad p, and both belong into the
-// gas solve: where continuity fixes the flux, a pressure force or a motion of the last step makes suspensions diverge
-// from a gas step of about one relaxation time on.
+// on average, so y is also how far its motion follows the gas. Both are linear in u and grad p, and both belong into
+// the gas solve: where continuity fixes the flux, a pressure force or a motion of the last step makes suspensions
+// diverge from a gas step of about one relaxation time on.
 
 /// (1 - e^-x)/x, 1 at x = 0: the share of a constant force that changes the velocity of a particle with drag.
 double relaxed_share(double x);
@@ -46,11 +46,11 @@ Vector free_change(double mass, double drag_rate, const Vector& slip, const Vect
 
 /// What is known of how contacts hold the solids of a cell.
 ///
-/// Solids count as free until contacts have kept them at rest for some steps: a gas solve that takes held solids for free
-/// converges with its lagged correction at any step (the pressure at phi/(phi + eps), the velocity as `stiffening` says).
-/// One that takes free solids for held, or for half held, diverges in dense beds from a gas step of a third of the
-/// relaxation time on (1 - e^-x = 2 eps^2 for one half), and a judgement that changes from step to step kicks the bed: so
-/// it is made slowly, and of solids that rest.
+/// Solids count as free until contacts have kept them at rest for some steps: a gas solve that takes held solids for
+/// free converges with its lagged correction at any step (the pressure at phi/(phi + eps), the velocity as `stiffening`
+/// says). One that takes free solids for held, or for half held, diverges in dense beds from a gas step of a third of
+/// the relaxation time on (1 - e^-x = 2 eps^2 for one half), and a judgement that changes from step to step kicks the
+/// bed: so it is made slowly, and of solids that rest.
 struct Hold {
     double held = 0;   ///< 1 where contacts take up all that other forces do, 0 where solids are free
     double doubt = 0;  ///< 0 to 1: how far 0 is a guess
@@ -58,8 +58,8 @@ struct Hold {
 
     static constexpr int enough = 10;
 
-    /// By what the last step did: the sums over the cell's particles of m times the velocity change by contacts and of m
-    /// times the change without contacts [kg m/s]. Contacts inside the cell cancel in the first, so collisions say
+    /// By what the last step did: the sums over the cell's particles of m times the velocity change by contacts and of
+    /// m times the change without contacts [kg m/s]. Contacts inside the cell cancel in the first, so collisions say
     /// nothing. `weight` [kg m/s]: what gravity alone would have given. Where the second is well below it, forces
     /// balance, which tells nothing of contacts. Where there is nothing at all, the answer is held: too little is given
     /// to what comes there, once.
@@ -67,8 +67,8 @@ struct Hold {
 };
 
 /// Rate [kg/s] that the gas solve adds to kappa where there is `doubt`, on the change of the gas velocity from the last
-/// step: half of what is between the free particle's rate and the held one's. The lagged correction of what the particles
-/// took converges then whichever of the two they are, at (1 + 2/x)^-1/2 a step.
+/// step: half of what is between the free particle's rate and the held one's. The lagged correction of what the
+/// particles took converges then whichever of the two they are, at (1 + 2/x)^-1/2 a step.
 double stiffening(double drag_rate, double mass, double doubt, double dt);
 
 }  // namespace interphase

@@ -15,8 +15,8 @@ struct Transactions {
     Vector assumed_of_particles = Vector::Zero();  ///< what the gas step assumed, of those still there
     double solid_volume_in_cells = 0;
     double solid_volume_of_particles = 0;
-    double gas_volume = 0;            ///< of all cells at the end, cell by cell what was there less what flowed out
-    double gas_in = 0, gas_out = 0;   ///< across the boundary of the mesh
+    double gas_volume = 0;           ///< of all cells at the end, cell by cell what was there less what flowed out
+    double gas_in = 0, gas_out = 0;  ///< across the boundary of the mesh
 };
 
 /// Keeps the books of momentum, solid volume and gas volume over a run. The two sides of each are summed independently,

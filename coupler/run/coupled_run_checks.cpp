@@ -95,10 +95,11 @@ void CoupledRun::check_scene() const
 {
     if (!gas_ || settings_.mapping == MappingType::kernel) return;
     if (settings_.two_way && solids_->solid_stress())
-        throw UserError("a stress of the solids and `type cellCentre;` do not go together: single cells fill and empty as "
-                        "parcels hop across their faces, and the gas of a nearly full cell answers with jets (parcels of "
-                        "18 m/s after 0.15 s in cases/goldschmidt)",
-                        "system/couplingDict.mapping", "set `type kernel;`");
+        throw UserError(
+            "a stress of the solids and `type cellCentre;` do not go together: single cells fill and empty as "
+            "parcels hop across their faces, and the gas of a nearly full cell answers with jets (parcels of "
+            "18 m/s after 0.15 s in cases/goldschmidt)",
+            "system/couplingDict.mapping", "set `type kernel;`");
     const double diameter = solids_->largest_diameter();
     double smallest = 1e300;
     for (const Vector& extent : gas_->mesh().extent)

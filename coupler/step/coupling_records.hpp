@@ -9,8 +9,8 @@
 
 namespace interphase {
 
-/// What a particle brings to its gas cell. One-way scenes send the first nine entries only, those with solid stress four
-/// more at the end: momentum and mass.
+/// What a particle brings to its gas cell. One-way scenes send the first nine entries only, those with solid stress
+/// four more at the end: momentum and mass.
 enum VisitorEntry {
     position = 0,
     velocity = 3,  // with which it begins the step
@@ -27,8 +27,8 @@ enum VisitorEntry {
 constexpr std::size_t held_record = two_way_record - by_contacts;
 constexpr std::size_t momentum_record = 4;
 
-/// What it takes home: drag rate, gas velocity, pressure gradient, what the gas solve assumed of its impulse, and what a
-/// StressExchange adds.
+/// What it takes home: drag rate, gas velocity, pressure gradient, what the gas solve assumed of its impulse, and what
+/// a StressExchange adds.
 constexpr std::size_t homeward_record = 10;
 
 /// What goes to the cells of a particle: kappa, source (3), following, moving, mobility, flux (3).

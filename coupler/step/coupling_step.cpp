@@ -48,7 +48,8 @@ CouplingStep::CouplingStep(const Communicator& comm, const Settings& settings, G
       solid_volume_(gas.mesh().size(), 0.0),
       hold_(gas.mesh().size()),
       demand_(gas.mesh().size()),
-      widest_((comm.max(Vector(gas.locator().bounds().col(1))) - comm.min(Vector(gas.locator().bounds().col(0)))).norm())
+      widest_(
+          (comm.max(Vector(gas.locator().bounds().col(1))) - comm.min(Vector(gas.locator().bounds().col(0)))).norm())
 {
     if (stress_model_) stress_.emplace(comm_, gas_, mapping_, *stress_model_);
 }
@@ -161,7 +162,8 @@ Vector CouplingStep::impulse_to_take_back(const ParticleView& particles, std::si
     return solid_step_ * particles.fluid[i].part_of(force, starting_velocity(particles, i));
 }
 
-void CouplingStep::kick_again(const ParticleView& particles, std::size_t i, const Vector& velocity, const Vector& others)
+void CouplingStep::kick_again(const ParticleView& particles, std::size_t i, const Vector& velocity,
+                              const Vector& others)
 {
     Vector force = others;
     particles.fluid[i].apply(force.data(), velocity.data(), particles.booked + 3 * i);
@@ -246,8 +248,8 @@ void CouplingStep::return_gas_to_particles(double dt)
         double* answer = &answers_[width * i];
         answer[0] = drag_rates_[i];
         std::copy_n(&seen_[6 * i], 6, answer + 1);
-        put(answer + 7, settings_.two_way ? assumed_impulse(i, to_vector(answer + 1), to_vector(answer + 4), dt)
-                                          : Vector::Zero());
+        put(answer + 7,
+            settings_.two_way ? assumed_impulse(i, to_vector(answer + 1), to_vector(answer + 4), dt) : Vector::Zero());
         if (stress_) stress_->write_answer(i, visits_.cells()[i], answer + homeward_record);
     }
 

@@ -131,9 +131,9 @@ private:
     Vector assumed_at_start_ = Vector::Zero();
     double solid_step_ = 0;
     bool kicks_again_ = false;  ///< the solids begin this gas step with its own forces
-    double time_ = 0;      ///< for the watch [s]
-    double crossing_ = 0;  ///< most gas cells that a particle of this rank crosses in the step
-    double widest_;        ///< diagonal of the whole mesh [m]
+    double time_ = 0;           ///< for the watch [s]
+    double crossing_ = 0;       ///< most gas cells that a particle of this rank crosses in the step
+    double widest_;             ///< diagonal of the whole mesh [m]
     std::string news_;
     long outside_ = 0;
     long relieved_ = 0;

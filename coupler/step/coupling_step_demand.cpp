@@ -50,8 +50,7 @@ void CouplingStep::map_drag(double dt)
         const double reynolds = eps * gas_.density() * slip.norm() * d / gas_.viscosity();
         beyond_range_ += eps < law_.voidage_min || eps > law_.voidage_max || reynolds > law_.reynolds_max;
         const auto rate_of = [&](double slip_speed) {
-            return record[volume] *
-                   drag_rate_per_volume(law_, eps, slip_speed, d, gas_.density(), gas_.viscosity());
+            return record[volume] * drag_rate_per_volume(law_, eps, slip_speed, d, gas_.density(), gas_.viscosity());
         };
         const Vector acceleration = solids_.gravity() - record[volume] / record[mass] * to_vector(seen + 6);
         drag_rates_[i] = rate_over_step(rate_of, slip, record[mass], (1 - held) * acceleration, dt);

@@ -95,8 +95,7 @@ StepState CouplingStep::state_of_step(double dt)
     if (all_solids > 0) {
         constexpr double thin = 0.1;  // see StepState::weight_gradient
         state.mean_pressure_gradient = vector_at(sums, 7) / all_solids;
-        state.weight_gradient =
-            mass / all_solids * std::max(thin, sums[3] / all_solids) * solids_.gravity().norm();
+        state.weight_gradient = mass / all_solids * std::max(thin, sums[3] / all_solids) * solids_.gravity().norm();
     }
     const Largest of_cells = of_all(comm_, steepest), of_particles = of_all(comm_, fastest);
     state.highest_pressure_gradient = std::sqrt(of_cells.value);

@@ -16,8 +16,14 @@ namespace interphase {
 /// grad p of the end of the step.
 struct Demand {
     explicit Demand(std::size_t cells)
-        : gas_share(cells, 1.0), rate(cells, 0.0), source(3 * cells, 0.0), following(cells, 0.0),
-          moving(cells, 0.0), mobility(cells, 0.0), flux(3 * cells, 0.0), surplus(cells, 0.0)
+        : gas_share(cells, 1.0),
+          rate(cells, 0.0),
+          source(3 * cells, 0.0),
+          following(cells, 0.0),
+          moving(cells, 0.0),
+          mobility(cells, 0.0),
+          flux(3 * cells, 0.0),
+          surplus(cells, 0.0)
     {}
 
     Scalars gas_share;  ///< volume of gas there is, by what has flowed in and out, over that of the cell

@@ -17,8 +17,8 @@ struct StressState {
     double relaxation_time = 0;       ///< mass over drag rate, of the drag law at the actual slip [s]
 
     /// Written by the model: by how much the stress changed the velocity in this gas step [m/s]. It is taken as a force
-    /// that acted all through each solid step, so that drag gave back its share: a bed that its stress holds at rest has
-    /// the drag of one at rest, however long the step.
+    /// that acted all through each solid step, so that drag gave back its share: a bed that its stress holds at rest
+    /// has the drag of one at rest, however long the step.
     double change[3] = {0, 0, 0};
 };
 

@@ -35,8 +35,8 @@ public:
     virtual ParticleView particles() = 0;
     virtual Vector gravity() const = 0;  ///< [m/s2]
 
-    /// How a substep goes: half a kick by the forces that `particles` shows, then the drift (velocity Verlet, LIGGGHTS's
-    /// own integrators), or the drift first.
+    /// How a substep goes: half a kick by the forces that `particles` shows, then the drift (velocity Verlet,
+    /// LIGGGHTS's own integrators), or the drift first.
     virtual bool kicks_before_moving() const { return true; }
 
     /// Whether a gas step of one substep may begin with the forces of its own gas: the kick that the last step began is

@@ -152,8 +152,8 @@ Vector FixMpPic::take_stress(int i)
 {
     const StressState& state = states_[at(i)];
     const double r = atom->radius[i], density = atom->rmass[i] / (4.0 / 3.0 * M_PI * r * r * r);
-    // The mean motion is compared with velocities of its own time, and with these after a whole kick. It is that of whole
-    // steps, half a kick behind; or, where the gas step began with its own forces, that before the whole kick.
+    // The mean motion is compared with velocities of its own time, and with these after a whole kick. It is that of
+    // whole steps, half a kick behind; or, where the gas step began with its own forces, that before the whole kick.
     Eigen::Map<Vector> velocity(atom->v[i]);
     const Vector kick = update->dt / atom->rmass[i] * Eigen::Map<const Vector>(atom->f[i]);
     const Vector before = velocity - (kicked_whole_ ? 1.0 : 0.5) * kick;

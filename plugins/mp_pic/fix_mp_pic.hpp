@@ -74,7 +74,7 @@ private:
     std::vector<std::unique_ptr<walls::Wall>> walls_;
 
     std::vector<StressState> states_;  ///< [atoms]
-    bool kicked_whole_ = false;  ///< where the stress acts, by the forces of the gas step
+    bool kicked_whole_ = false;        ///< where the stress acts, by the forces of the gas step
     bool arrived_ = false;
     std::string complaint_;
 

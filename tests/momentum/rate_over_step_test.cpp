@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The drag rate of a step: exact where the law is linear, closer than that of the step's start where it is not, and that of
-// balance where the step is long, from whatever slip it starts.
+// The drag rate of a step: exact where the law is linear, closer than that of the step's start where it is not, and
+// that of balance where the step is long, from whatever slip it starts.
 #include "momentum/rate_over_step.hpp"
 
 #include <gtest/gtest.h>

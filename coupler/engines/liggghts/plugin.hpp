@@ -74,13 +74,14 @@ constexpr const char* extract_solid_step_limit = "solid_step_limit";
 /// step/solid_stress.hpp. At most one fix asks for it. It lives as long as the fix.
 constexpr const char* extract_solid_stress = "solid_stress";
 
-/// int*: not 0 where the fix, in gas steps of one solid step, wants to begin with the forces of the new gas, so that its
-/// particles move by them in the same step. They are velocity Verlet's, and `f` and `v` may be set anew between steps.
+/// int*: not 0 where the fix, in gas steps of one solid step, wants to begin with the forces of the new gas, so that
+/// its particles move by them in the same step. They are velocity Verlet's, and `f` and `v` may be set anew between
+/// steps.
 constexpr const char* extract_takes_new_forces = "takes_new_forces";
 
-/// int*: not 0 where the fix moves particles at the start of a step with the velocity that they have, and lets forces change
-/// it afterwards. Without a word the coupler takes it that they move after half a kick by the last step's forces, as
-/// LIGGGHTS's own integrators do it. It predicts from that how far the solids move in a gas step.
+/// int*: not 0 where the fix moves particles at the start of a step with the velocity that they have, and lets forces
+/// change it afterwards. Without a word the coupler takes it that they move after half a kick by the last step's
+/// forces, as LIGGGHTS's own integrators do it. It predicts from that how far the solids move in a gas step.
 constexpr const char* extract_moves_before_forces = "moves_before_forces";
 
 // --- what the macro below is made of

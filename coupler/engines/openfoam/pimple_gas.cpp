@@ -98,10 +98,10 @@ void PimpleGas::take(const Demand& demand)
     face_voidage_ = fvc::interpolate(voidage_);
     face_share_ = face_voidage_ + fvc::interpolate(following_);
     face_source_ = fvc::flux(source_);
-    forAll(face_source_.boundaryField(), patch)
-        if (!p_rgh_.boundaryField()[patch].fixesValue() && !mesh_.boundary()[patch].coupled() &&
-            !isA<fixedFluxPressureFvPatchScalarField>(p_rgh_.boundaryField()[patch]))
-            face_source_.boundaryFieldRef()[patch] = Zero;  // nothing there would hold it off the boundary
+    forAll(face_source_.boundaryField(),
+           patch) if (!p_rgh_.boundaryField()[patch].fixesValue() && !mesh_.boundary()[patch].coupled() &&
+                      !isA<fixedFluxPressureFvPatchScalarField>(p_rgh_.boundaryField()[patch]))
+        face_source_.boundaryFieldRef()[patch] = Zero;  // nothing there would hold it off the boundary
 }
 
 /// Of solids and pressure on the gas, over density, through the faces [m3/s2].
@@ -119,9 +119,9 @@ void PimpleGas::solve(double, const Demand& demand)
     while (control_.loop()) {
         const surfaceScalarField voidage_phi("voidagePhi", face_voidage_ * phi_);
         fvVectorMatrix momentum(fvm::ddt(gas_share_, U_) + fvm::div(voidage_phi, U_) -
-                                    fvm::Sp(fvc::ddt(gas_share_) + fvc::div(voidage_phi), U_) -
-                                    fvm::laplacian(voidage_nu, U_) -
-                                    fvc::div(voidage_nu * dev2(T(fvc::grad(U_)))) + fvm::Sp(rate_, U_));
+                                fvm::Sp(fvc::ddt(gas_share_) + fvc::div(voidage_phi), U_) -
+                                fvm::laplacian(voidage_nu, U_) - fvc::div(voidage_nu * dev2(T(fvc::grad(U_)))) +
+                                fvm::Sp(rate_, U_));
         momentum.relax();
         if (control_.momentumPredictor()) Foam::solve(momentum == fvc::reconstruct(force_flux()));
         while (control_.correct())
@@ -137,8 +137,7 @@ void PimpleGas::correct_pressure(fvVectorMatrix& momentum)
     const surfaceScalarField face_response(rAUf * face_share_ / rho_);
 
     const volVectorField HbyA(constrainHbyA(rAU * momentum.H(), U_, p_rgh_));
-    surfaceScalarField phiHbyA("phiHbyA",
-                               fvc::flux(HbyA) + face_voidage_ * rAUf * fvc::ddtCorr(U_, phi_));
+    surfaceScalarField phiHbyA("phiHbyA", fvc::flux(HbyA) + face_voidage_ * rAUf * fvc::ddtCorr(U_, phi_));
     if (p_rgh_.needReference()) adjustPhi(phiHbyA, U_, p_rgh_);
     phiHbyA += rAUf * face_source_;
     constrainPressure(p_rgh_, U_, phiHbyA, face_response);

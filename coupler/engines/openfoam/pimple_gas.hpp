@@ -8,14 +8,14 @@
 
 namespace interphase {
 
-/// Volume-averaged incompressible flow, by PIMPLE (PISO with one outer corrector). With a Demand's rate, source, following
-/// Y, moving M, mobility C, flux A and surplus q, and p_rgh = p - rho g.x,
+/// Volume-averaged incompressible flow, by PIMPLE (PISO with one outer corrector). With a Demand's rate, source,
+/// following Y, moving M, mobility C, flux A and surplus q, and p_rgh = p - rho g.x,
 ///     rho (s du/dt + eps u.grad u) = -(eps + Y) grad p + div(eps tau) + rho eps g - (rate u - source)
 ///     div((eps + M) u + A - C grad p) = q,
 /// s the gas share of the step's start (so that the gas's momentum rho s u is kept while s changes by what flows), the
 /// second being the continuity of gas and solids together. All of it is implicit in u and p: rate is part of the
-/// matrix diagonal, Y and C of the pressure equation, which stays symmetric. So it holds for the velocity at the end of the
-/// step, to round-off, after every pressure correction. No solids cross the boundary of the mesh.
+/// matrix diagonal, Y and C of the pressure equation, which stays symmetric. So it holds for the velocity at the end of
+/// the step, to round-off, after every pressure correction. No solids cross the boundary of the mesh.
 ///
 /// What the solids and the pressure gradient do to the gas is summed at the faces, where both are known with the same
 /// stencil, and then averaged to the cells: in dense beds they are hundreds of times their sum, and cell by cell the
@@ -35,7 +35,7 @@ private:
     void correct_pressure(Foam::fvVectorMatrix& momentum);
     Foam::tmp<Foam::surfaceScalarField> force_flux() const;
 
-    Foam::surfaceScalarField phi_;            ///< of u [m3/s]
+    Foam::surfaceScalarField phi_;  ///< of u [m3/s]
     Foam::surfaceScalarField face_voidage_;
     Foam::volScalarField gas_share_;          ///< at the start of the step
     Foam::volScalarField::Internal rate_;     ///< over density [1/s]
