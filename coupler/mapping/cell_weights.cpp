@@ -67,6 +67,8 @@ void with_width(int width, Body&& body)
             return body(std::integral_constant<std::size_t, 9>{});
         case 10:
             return body(std::integral_constant<std::size_t, 10>{});
+        case 11:
+            return body(std::integral_constant<std::size_t, 11>{});
         default:
             return body(static_cast<std::size_t>(width));
     }

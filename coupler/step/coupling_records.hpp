@@ -31,8 +31,9 @@ constexpr std::size_t momentum_record = 4;
 /// a StressExchange adds.
 constexpr std::size_t homeward_record = 10;
 
-/// What goes to the cells of a particle: kappa, source (3), following, moving, mobility, flux (3).
-constexpr std::size_t demand_record = 10;
+/// What goes to the cells of a particle: kappa, source (3), following, moving, mobility, flux (3), following
+/// mass.
+constexpr std::size_t demand_record = 11;
 
 inline Vector to_vector(const double* v) { return {v[0], v[1], v[2]}; }
 

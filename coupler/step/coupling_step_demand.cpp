@@ -70,7 +70,8 @@ void CouplingStep::write_demand(const double* record, double drag_rate, const do
     const double per_rate = drag_rate > 0 ? 1.0 / drag_rate : 0.0;
     demand[0] = drag.kappa + stiff;
     // the part of the force that does not wait for the gas solve
-    put(demand + 1, drag.kappa * v + stiff * last_gas_velocity + (drag.carried - to_vector(record + pending)) / dt);
+    put(demand + 1, drag.kappa * v + stiff * last_gas_velocity - to_vector(record + pending) / dt);
+    demand[10] = drag.following * record[mass];
     demand[4] = following;
     // solids that begin with the new forces move through the whole step at the velocity of its end
     const double moving =
@@ -84,7 +85,8 @@ Vector CouplingStep::assumed_impulse(std::size_t visitor, const Vector& gas_velo
                                      double dt) const
 {
     const double *record = &visitors_[visitor_width() * visitor], *demand = &demands_[demand_record * visitor];
-    const Vector drag = dt * (demand[0] * gas_velocity - to_vector(demand + 1)) - to_vector(record + pending);
+    const Vector explicit_force = to_vector(demand + 1) + demand[10] * solids_.gravity();
+    const Vector drag = dt * (demand[0] * gas_velocity - explicit_force) - to_vector(record + pending);
     return drag - dt * (record[volume] - demand[4]) * pressure_gradient;
 }
 
@@ -99,6 +101,7 @@ void CouplingStep::map_demands(double dt)
         const double volume = gas_.mesh().volume[c], per_volume = 1.0 / volume;
         demand_.rate[c] = content[0] * per_volume;
         put(&demand_.source[3 * c], per_volume * to_vector(content + 1));
+        put(&demand_.load[3 * c], per_volume * content[10] * solids_.gravity());
         demand_.following[c] = content[4] * per_volume;
         demand_.moving[c] = content[5] * per_volume;
         demand_.mobility[c] = content[6] * per_volume;

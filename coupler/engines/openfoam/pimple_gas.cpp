@@ -49,10 +49,11 @@ PimpleGas::PimpleGas(fvMesh& mesh)
       gas_share_(IOobject("gasShare", mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false), mesh,
                  dimensionedScalar("one", dimless, 1)),
       rate_(cell_field<scalar>(mesh, "exchangeRate", dimless / dimTime)),
-      source_(IOobject("exchangeSource", mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false),
-              mesh, dimensionedVector("none", dimAcceleration, Zero), zeroGradientFvPatchVectorField::typeName),
+      source_(cell_field<vector>(mesh, "exchangeSource", dimAcceleration)),
+      load_(IOobject("exchangeLoad", mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false), mesh,
+            dimensionedVector("none", dimAcceleration, Zero), zeroGradientFvPatchVectorField::typeName),
       face_share_("pressedSharef", face_voidage_),
-      face_source_("exchangeSourcef", fvc::flux(source_)),
+      face_load_("exchangeLoadf", fvc::flux(load_)),
       following_(field_of_solids<scalar>(mesh, "followingSolids", dimless)),
       moving_(field_of_solids<scalar>(mesh, "movingSolids", dimless)),
       mobility_(field_of_solids<scalar>(mesh, "mobilityOfSolids", dimVelocity / (dimPressure / dimLength))),
@@ -75,7 +76,8 @@ void PimpleGas::take(const Demand& demand)
             return vector(flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]);
         };
         rate_[c] = demand.rate[i] / density;
-        source_[c] = (vector_in(demand.source) - demand.following[i] * weight) / density;
+        source_[c] = vector_in(demand.source) / density;
+        load_[c] = (vector_in(demand.load) - demand.following[i] * weight) / density;
         following_[c] = demand.following[i];
         moving_[c] = demand.moving[i];
         mobility_[c] = demand.mobility[i];
@@ -94,20 +96,20 @@ void PimpleGas::take(const Demand& demand)
     moving_.correctBoundaryConditions();
     mobility_.correctBoundaryConditions();
     solids_flux_.correctBoundaryConditions();
-    source_.correctBoundaryConditions();
+    load_.correctBoundaryConditions();
     face_voidage_ = fvc::interpolate(voidage_);
     face_share_ = face_voidage_ + fvc::interpolate(following_);
-    face_source_ = fvc::flux(source_);
-    forAll(face_source_.boundaryField(),
+    face_load_ = fvc::flux(load_);
+    forAll(face_load_.boundaryField(),
            patch) if (!p_rgh_.boundaryField()[patch].fixesValue() && !mesh_.boundary()[patch].coupled() &&
                       !isA<fixedFluxPressureFvPatchScalarField>(p_rgh_.boundaryField()[patch]))
-        face_source_.boundaryFieldRef()[patch] = Zero;  // nothing there would hold it off the boundary
+        face_load_.boundaryFieldRef()[patch] = Zero;  // nothing there would hold it off the boundary
 }
 
 /// Of solids and pressure on the gas, over density, through the faces [m3/s2].
 tmp<surfaceScalarField> PimpleGas::force_flux() const
 {
-    return face_source_ - face_share_ * fvc::snGrad(p_rgh_) * mesh_.magSf() / rho_;
+    return face_load_ - face_share_ * fvc::snGrad(p_rgh_) * mesh_.magSf() / rho_;
 }
 
 void PimpleGas::solve(double, const Demand& demand)
@@ -119,9 +121,10 @@ void PimpleGas::solve(double, const Demand& demand)
     while (control_.loop()) {
         const surfaceScalarField voidage_phi("voidagePhi", face_voidage_ * phi_);
         fvVectorMatrix momentum(fvm::ddt(gas_share_, U_) + fvm::div(voidage_phi, U_) -
-                                fvm::Sp(fvc::ddt(gas_share_) + fvc::div(voidage_phi), U_) -
-                                fvm::laplacian(voidage_nu, U_) - fvc::div(voidage_nu * dev2(T(fvc::grad(U_)))) +
-                                fvm::Sp(rate_, U_));
+                                    fvm::Sp(fvc::ddt(gas_share_) + fvc::div(voidage_phi), U_) -
+                                    fvm::laplacian(voidage_nu, U_) - fvc::div(voidage_nu * dev2(T(fvc::grad(U_)))) +
+                                    fvm::Sp(rate_, U_) ==
+                                source_);
         momentum.relax();
         if (control_.momentumPredictor()) Foam::solve(momentum == fvc::reconstruct(force_flux()));
         while (control_.correct())
@@ -139,7 +142,7 @@ void PimpleGas::correct_pressure(fvVectorMatrix& momentum)
     const volVectorField HbyA(constrainHbyA(rAU * momentum.H(), U_, p_rgh_));
     surfaceScalarField phiHbyA("phiHbyA", fvc::flux(HbyA) + face_voidage_ * rAUf * fvc::ddtCorr(U_, phi_));
     if (p_rgh_.needReference()) adjustPhi(phiHbyA, U_, p_rgh_);
-    phiHbyA += rAUf * face_source_;
+    phiHbyA += rAUf * face_load_;
     constrainPressure(p_rgh_, U_, phiHbyA, face_response);
 
     const surfaceScalarField mixture(face_voidage_ + fvc::interpolate(moving_));
