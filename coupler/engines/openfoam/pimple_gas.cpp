@@ -58,6 +58,8 @@ PimpleGas::PimpleGas(fvMesh& mesh)
       moving_(field_of_solids<scalar>(mesh, "movingSolids", dimless)),
       mobility_(field_of_solids<scalar>(mesh, "mobilityOfSolids", dimVelocity / (dimPressure / dimLength))),
       solids_flux_(field_of_solids<vector>(mesh, "fluxOfSolids", dimVelocity)),
+      face_directions_(mesh.Sf() / mesh.magSf()),
+      to_cells_(inv(fvc::surfaceSum(face_directions_ * mesh.Sf())().internalField())),
       surplus_(cell_field<scalar>(mesh, "surplus", dimless / dimTime)),
       control_(mesh)
 {
@@ -126,7 +128,7 @@ void PimpleGas::solve(double, const Demand& demand)
                                     fvm::Sp(rate_, U_) ==
                                 source_);
         momentum.relax();
-        if (control_.momentumPredictor()) Foam::solve(momentum == fvc::reconstruct(force_flux()));
+        if (control_.momentumPredictor()) Foam::solve(momentum == force());
         while (control_.correct())
             correct_pressure(momentum);
     }
@@ -155,8 +157,15 @@ void PimpleGas::correct_pressure(fvVectorMatrix& momentum)
         if (control_.finalNonOrthogonalIter()) phi_ = phiHbyA - face_response * pressure.flux() / conductance;
     }
     p_rgh_.relax();
-    U_ = HbyA + rAU * fvc::reconstruct(force_flux());
+    U_ = HbyA;
+    U_.ref() += rAU() * force();
     U_.correctBoundaryConditions();
+}
+
+tmp<volVectorField::Internal> PimpleGas::force() const
+{
+    const volVectorField sums(fvc::surfaceSum(face_directions_ * force_flux()));
+    return to_cells_ & sums();
 }
 
 Scalars PimpleGas::outflow() const
