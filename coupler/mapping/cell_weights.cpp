@@ -19,13 +19,17 @@ void CellWeights::spread_by_kernel(const Scalars& positions, const std::vector<i
 {
     first_.assign(1, 0);
     first_.reserve(own_cell.size() + 1);
-    cell_.clear();
-    weight_.clear();
+    std::size_t used = 0;
     for (std::size_t i = 0; i < own_cell.size(); ++i) {
         const Vector x(positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]);
         double total = 0;
         const auto own = static_cast<std::size_t>(own_cell[i]);
         const auto [begin, end] = cells_.neighbours_near(own, x);
+        const std::size_t most = used + static_cast<std::size_t>(end - begin) + 1;
+        if (most > cell_.size()) {
+            cell_.resize(2 * most);
+            weight_.resize(2 * most);
+        }
         for (const int* n = begin; n != end; ++n) {
             const auto c = static_cast<std::size_t>(*n);
             const Vector& centre = cells_.centre(c);
@@ -34,43 +38,47 @@ void CellWeights::spread_by_kernel(const Scalars& positions, const std::vector<i
                          dz = std::abs(x[2] - centre[2]);
             if (dx >= reach[0] || dy >= reach[1] || dz >= reach[2]) continue;
             const double weight = (1 - dx / reach[0]) * (1 - dy / reach[1]) * (1 - dz / reach[2]) * cells_.volume(c);
-            cell_.push_back(*n);
-            weight_.push_back(weight);
+            cell_[used] = *n;
+            weight_[used++] = weight;
             total += weight;
         }
         if (total <= 0) {  // an oddly shaped cell whose box does not hold all of it
-            cell_.push_back(own_cell[i]);
-            weight_.push_back(total = 1.0);
+            cell_[used] = own_cell[i];
+            weight_[used++] = total = 1.0;
         }
-        for (std::size_t k = first_.back(); k < weight_.size(); ++k)
+        for (std::size_t k = first_.back(); k < used; ++k)
             weight_[k] /= total;
-        first_.push_back(weight_.size());
+        first_.push_back(used);
     }
 }
 
 namespace {
 
-/// Calls `body` with the width as a constant where it is one that the coupling uses, so that the inner loops unroll.
+/// One record of `width` numbers; a width known to the compiler unrolls.
+template <int width>
+using Record = Eigen::Array<double, width, 1>;
+
+/// Calls `body` with the width as a constant where it is one that the coupling uses.
 template <class Body>
 void with_width(int width, Body&& body)
 {
     switch (width) {
         case 1:
-            return body(std::integral_constant<std::size_t, 1>{});
+            return body(std::integral_constant<int, 1>{});
         case 4:
-            return body(std::integral_constant<std::size_t, 4>{});
+            return body(std::integral_constant<int, 4>{});
         case 6:
-            return body(std::integral_constant<std::size_t, 6>{});
+            return body(std::integral_constant<int, 6>{});
         case 7:
-            return body(std::integral_constant<std::size_t, 7>{});
+            return body(std::integral_constant<int, 7>{});
         case 9:
-            return body(std::integral_constant<std::size_t, 9>{});
+            return body(std::integral_constant<int, 9>{});
         case 10:
-            return body(std::integral_constant<std::size_t, 10>{});
+            return body(std::integral_constant<int, 10>{});
         case 11:
-            return body(std::integral_constant<std::size_t, 11>{});
+            return body(std::integral_constant<int, 11>{});
         default:
-            return body(static_cast<std::size_t>(width));
+            return body(std::integral_constant<int, Eigen::Dynamic>{});
     }
 }
 
@@ -78,32 +86,28 @@ void with_width(int width, Body&& body)
 
 void CellWeights::add_to_cells(const Scalars& of_particles, int width, Scalars& of_cells) const
 {
-    with_width(width, [&](const auto w) {
+    const auto w = static_cast<std::size_t>(width);
+    with_width(width, [&](const auto fixed) {
+        using Numbers = Record<decltype(fixed)::value>;
         for (std::size_t i = 0; i < particles(); ++i) {
-            const double* q = &of_particles[i * w];
-            for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
-                double* cell = &of_cells[static_cast<std::size_t>(cell_[k]) * w];
-                for (std::size_t m = 0; m < w; ++m)
-                    cell[m] += weight_[k] * q[m];
-            }
+            const Numbers q = Eigen::Map<const Numbers>(&of_particles[i * w], width);
+            for (std::size_t k = first_[i]; k < first_[i + 1]; ++k)
+                Eigen::Map<Numbers>(&of_cells[static_cast<std::size_t>(cell_[k]) * w], width) += weight_[k] * q;
         }
     });
 }
 
 void CellWeights::at_particles(const Scalars& of_cells, int width, Scalars& of_particles) const
 {
-    of_particles.resize(particles() * static_cast<std::size_t>(width));
-    with_width(width, [&](const auto w) {
+    const auto w = static_cast<std::size_t>(width);
+    of_particles.resize(particles() * w);
+    with_width(width, [&](const auto fixed) {
+        using Numbers = Record<decltype(fixed)::value>;
         for (std::size_t i = 0; i < particles(); ++i) {
-            double* q = &of_particles[i * w];
-            for (std::size_t m = 0; m < w; ++m)
-                q[m] = 0;
-            for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
-                const double weight = weight_[k];
-                const double* cell = &of_cells[static_cast<std::size_t>(cell_[k]) * w];
-                for (std::size_t m = 0; m < w; ++m)
-                    q[m] += weight * cell[m];
-            }
+            Numbers q = Numbers::Zero(width);
+            for (std::size_t k = first_[i]; k < first_[i + 1]; ++k)
+                q += weight_[k] * Eigen::Map<const Numbers>(&of_cells[static_cast<std::size_t>(cell_[k]) * w], width);
+            Eigen::Map<Numbers>(&of_particles[i * w], width) = q;
         }
     });
 }

@@ -13,29 +13,36 @@ constexpr double small = 0.01;
 
 }  // namespace
 
-double relaxed_share(double x) { return x < small ? 1.0 - withheld_share(x) : -std::expm1(-x) / x; }
-
-double withheld_share(double x)
+Shares shares(double x)
 {
     // x/2 - x^2/6 + x^3/24 - ...; the first term left out is below 1e-16 of the sum
     constexpr double third = 1.0 / 3, fifth = 1.0 / 5, sixth = 1.0 / 6, seventh = 1.0 / 7;
-    if (x < small)
-        return 0.5 * x * (1 - third * x * (1 - 0.25 * x * (1 - fifth * x * (1 - sixth * x * (1 - seventh * x)))));
-    return 1.0 - relaxed_share(x);
+    if (x < small) {
+        const double withheld =
+            0.5 * x * (1 - third * x * (1 - 0.25 * x * (1 - fifth * x * (1 - sixth * x * (1 - seventh * x)))));
+        return {1.0 - withheld, withheld};
+    }
+    const double relaxed = -std::expm1(-x) / x;
+    return {relaxed, 1.0 - relaxed};
 }
+
+double relaxed_share(double x) { return shares(x).relaxed; }
+
+double withheld_share(double x) { return shares(x).withheld; }
 
 AssumedDrag assume_drag(double mass, double drag_rate, double held, const Vector& acceleration, double dt)
 {
     const double x = drag_rate * dt / mass;
-    const double withheld = withheld_share(x);
+    const auto [relaxed, withheld] = shares(x);
     const double following = (1.0 - held) * withheld;
-    return {drag_rate * (relaxed_share(x) + held * withheld), following * mass * dt * acceleration, following};
+    return {drag_rate * (relaxed + held * withheld), following * mass * dt * acceleration, following};
 }
 
-Vector free_change(double mass, double drag_rate, const Vector& slip, const Vector& acceleration, double dt)
+double response_time(double mass, double drag_rate, double dt) { return dt * relaxed_share(drag_rate * dt / mass); }
+
+Vector free_change(double mass, double drag_rate, const Vector& slip, const Vector& acceleration, double response_time)
 {
-    const double x = drag_rate * dt / mass;
-    return relaxed_share(x) * dt * (drag_rate / mass * slip + acceleration);
+    return response_time * (drag_rate / mass * slip + acceleration);
 }
 
 void Hold::judge(const Vector& by_contacts, const Vector& without_contacts, double weight)

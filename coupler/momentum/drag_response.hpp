@@ -19,10 +19,14 @@ namespace interphase {
 // the gas solve: where continuity fixes the flux, a pressure force or a motion of the last step makes suspensions
 // diverge from a gas step of about one relaxation time on.
 
-/// (1 - e^-x)/x, 1 at x = 0: the share of a constant force that changes the velocity of a particle with drag.
-double relaxed_share(double x);
+/// Of a constant force: what changes the velocity of a particle with drag, (1 - e^-x)/x, and the rest, which drag gives
+/// to the gas. Each is accurate at any x.
+struct Shares {
+    double relaxed, withheld;
+};
+Shares shares(double x);
 
-/// 1 - relaxed_share(x), accurate at small x.
+double relaxed_share(double x);
 double withheld_share(double x);
 
 /// What the gas solve assumes of a particle's drag impulse over a step: J = kappa dt (u - v) - carried.
@@ -41,8 +45,11 @@ struct AssumedDrag {
 /// forces, as far as they are known before the gas solve.
 AssumedDrag assume_drag(double mass, double drag_rate, double held, const Vector& acceleration, double dt);
 
-/// The change of velocity over dt of a particle without contacts [m/s].
-Vector free_change(double mass, double drag_rate, const Vector& slip, const Vector& acceleration, double dt);
+/// By which a constant acceleration changes the velocity of a particle with drag in a step of dt [s].
+double response_time(double mass, double drag_rate, double dt);
+
+/// The change of velocity of a particle without contacts in a step with this response time [m/s].
+Vector free_change(double mass, double drag_rate, const Vector& slip, const Vector& acceleration, double response_time);
 
 /// What is known of how contacts hold the solids of a cell.
 ///

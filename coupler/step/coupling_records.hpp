@@ -35,10 +35,30 @@ constexpr std::size_t homeward_record = 10;
 /// mass.
 constexpr std::size_t demand_record = 11;
 
+/// What a particle sees of the gas before it is solved: voidage and velocity, and in long steps how contacts hold the
+/// solids here, in doubt or not, and the last pressure gradient.
+constexpr std::size_t seen_record = 4;
+constexpr std::size_t seen_in_long_steps = 9;
+
 inline Vector to_vector(const double* v) { return {v[0], v[1], v[2]}; }
 
 inline Vector vector_at(const Scalars& flat, std::size_t start) { return to_vector(&flat[start]); }
 
 inline void put(double* start, const Vector& v) { std::copy_n(v.data(), 3, start); }
+
+struct GasSeen {
+    GasSeen(const double* record, bool in_long_step) : voidage(record[0]), velocity(to_vector(record + 1))
+    {
+        if (!in_long_step) return;
+        held = record[4];
+        doubt = record[5];
+        pressure_gradient = to_vector(record + 6);
+    }
+
+    double voidage;
+    Vector velocity;  ///< [m/s]
+    double held = 0, doubt = 0;
+    Vector pressure_gradient = Vector::Zero();  ///< [Pa/m]
+};
 
 }  // namespace interphase

@@ -65,6 +65,9 @@ void CouplingStep::advance(double dt, int substeps)
 {
     solid_step_ = dt / substeps;
     kicks_again_ = substeps == 1 && solids_.takes_new_forces();
+    // The share of other forces that drag gives back is half of this ratio, or nothing where contacts hold.
+    constexpr double long_ratio = 0.02;
+    long_step_ = fastest_relaxation_ * dt > long_ratio;
     transactions_ = {};
     if (particle_count_ < 0) inspect_start();
     bring_particles_to_their_cells();
@@ -101,11 +104,13 @@ void CouplingStep::bring_particles_to_their_cells()
     double weight = 1, per_real = 1;  // of the last one, which most share: a cube root is dear
     const std::size_t width = visitor_width();
     records_.resize(visits_.order().size() * width);
+    starts_.resize(n);
     std::size_t r = 0;
     for (const std::size_t i : visits_.order()) {
         const auto column = static_cast<Eigen::Index>(i);
         put(&records_[r + position], particles.position.col(column));
-        put(&records_[r + velocity], starting_velocity(particles, i));
+        starts_[i] = starting_velocity(particles, i);
+        put(&records_[r + velocity], starts_[i]);
         if (particles.weight[i] != weight) {
             weight = particles.weight[i];
             per_real = 1.0 / std::cbrt(weight);
@@ -116,7 +121,7 @@ void CouplingStep::bring_particles_to_their_cells()
         if (settings_.two_way) pack_for_two_way(particles, i, &records_[r]);
         r += width;
         if (stress_) {
-            const Vector v = kicks_again_ ? starting_velocity(particles, i) : particles.velocity.col(column);
+            const Vector v = kicks_again_ ? starts_[i] : particles.velocity.col(column);
             put(&records_[r - momentum_record], particles.mass[column] * v);
             records_[r - 1] = particles.mass[column];
         }
@@ -131,6 +136,7 @@ void CouplingStep::pack_for_two_way(const ParticleView& particles, std::size_t i
     const double m = particles.mass[column];
     const Vector taken = solid_step_ * particles.booked_force(i) - impulse_to_take_back(particles, i);
     put(record + pending, taken - to_vector(own.assumed_impulse));
+    if (!long_step_) return;       // nobody asks
     if (own.response_time <= 0) {  // new to the gas: what acts on it now beside gravity are contacts
         const Vector pull = m * solids_.gravity();
         put(record + by_contacts, solid_step_ * (particles.force.col(column) - pull));
@@ -159,7 +165,7 @@ Vector CouplingStep::impulse_to_take_back(const ParticleView& particles, std::si
 {
     if (!kicks_again_ || rests(particles, i)) return Vector::Zero();
     const Vector force = particles.force.col(static_cast<Eigen::Index>(i));
-    return solid_step_ * particles.fluid[i].part_of(force, starting_velocity(particles, i));
+    return solid_step_ * particles.fluid[i].part_of(force, starts_[i]);
 }
 
 void CouplingStep::kick_again(const ParticleView& particles, std::size_t i, const Vector& velocity,
@@ -257,6 +263,7 @@ void CouplingStep::return_gas_to_particles(double dt)
     stopwatch_.switch_to(Phase::exchange);
     visits_.take_back(answers_, static_cast<int>(width), fluid_);
     const ParticleView particles = solids_.particles();
+    const Vector gravity = solids_.gravity();
     assumed_at_start_.setZero();
     for (std::size_t i = 0; i < particles.size(); ++i)
         if (!homes_[i].known()) leave_without_gas(particles, i);
@@ -264,7 +271,7 @@ void CouplingStep::return_gas_to_particles(double dt)
     for (const std::size_t i : visits_.order()) {
         const auto column = static_cast<Eigen::Index>(i);
         const double m = particles.mass[column];
-        const Vector v = starting_velocity(particles, i);
+        const Vector& v = starts_[i];
         const Vector u = vector_at(fluid_, f + 1);
         ParticleCoupling& own = particles.coupling[i];
 
@@ -281,8 +288,9 @@ void CouplingStep::return_gas_to_particles(double dt)
         if (again) kick_again(particles, i, v, others);
         set(own.assumed_impulse, assumed);
         set(own.start_velocity, v);
-        set(own.free_change, free_change(m, k, u - v, solids_.gravity() + pressure_force / m, dt));
-        own.response_time = static_cast<float>(dt * relaxed_share(k * dt / m));
+        const double time = response_time(m, k, dt);
+        set(own.free_change, free_change(m, k, u - v, gravity + pressure_force / m, time));
+        own.response_time = static_cast<float>(time);
         assumed_at_start_ += assumed;
         f += width;
     }

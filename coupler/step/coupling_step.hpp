@@ -22,6 +22,8 @@
 
 namespace interphase {
 
+struct GasSeen;
+
 /// Interventions so far, on all ranks.
 struct Interventions {
     long cells_relieved = 0;     ///< cells above the packing limit, cell by cell and step by step
@@ -70,7 +72,7 @@ private:
     void map_solid_stress();
     void judge_contacts();
     void map_drag(double dt);
-    void write_demand(const double* record, double drag_rate, const double* seen, double dt, double* demand) const;
+    void write_demand(const double* record, double drag_rate, const GasSeen& seen, double dt, double* demand) const;
     Vector assumed_impulse(std::size_t visitor, const Vector& gas_velocity, const Vector& pressure_gradient,
                            double dt) const;
     void map_demands(double dt);
@@ -114,6 +116,7 @@ private:
     std::vector<int> ids_at_start_;  ///< of the gas step, to name a particle that gets lost in it
     Scalars positions_at_start_;
     std::vector<CellAddress> homes_;
+    std::vector<Vector> starts_;             ///< velocity with which each particle with a home begins the step [m/s]
     Scalars records_;                        ///< one a travelling particle, as packed
     Scalars visitors_;                       ///< the same, arrived
     Scalars seen_;                           ///< gas values at the visitors
@@ -130,6 +133,8 @@ private:
     Transactions transactions_;
     Vector assumed_at_start_ = Vector::Zero();
     double solid_step_ = 0;
+    double fastest_relaxation_ = DBL_MAX;  ///< of all particles in the last step, drag rate over mass [1/s]
+    bool long_step_ = true;     ///< so long for some particle that contacts and pressure change what it asks of the gas
     bool kicks_again_ = false;  ///< the solids begin this gas step with its own forces
     double time_ = 0;           ///< for the watch [s]
     double crossing_ = 0;       ///< most gas cells that a particle of this rank crosses in the step

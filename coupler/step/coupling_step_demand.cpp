@@ -12,6 +12,10 @@ namespace interphase {
 
 void CouplingStep::judge_contacts()
 {
+    if (!long_step_) {
+        std::fill(hold_.begin(), hold_.end(), Hold{});
+        return;
+    }
     const std::size_t width = visitor_width();
     Scalars changes(held_record * visits_.visitors());
     for (std::size_t i = 0; i < visits_.visitors(); ++i)
@@ -25,7 +29,7 @@ void CouplingStep::judge_contacts()
 
 void CouplingStep::map_drag(double dt)
 {
-    const std::size_t width = visitor_width(), seen_width = 9;
+    const std::size_t width = visitor_width(), seen_width = long_step_ ? seen_in_long_steps : seen_record;
     const Scalars gas_velocity = gas_.velocity();
     const bool first_step = pressure_gradient_.empty();
     if (first_step) pressure_gradient_ = gas_.pressure_gradient();
@@ -34,48 +38,54 @@ void CouplingStep::map_drag(double dt)
         double* seen = &seen_by_cells[seen_width * c];
         seen[0] = voidage_[c];
         std::copy_n(&gas_velocity[3 * c], 3, seen + 1);
+        if (!long_step_) continue;
         seen[4] = hold_[c].held;
         seen[5] = hold_[c].doubt;
-        std::copy_n(&pressure_gradient_[3 * c], 3, seen + 6);
+        put(seen + 6, vector_at(pressure_gradient_, 3 * c));
     }
     mapping_.to_particles(seen_by_cells, seen_width, seen_);
 
+    const Vector gravity = solids_.gravity();
+    const double density = gas_.density(), viscosity = gas_.viscosity();
     drag_rates_.resize(visits_.visitors());
+    fastest_relaxation_ = settings_.two_way ? 0.0 : DBL_MAX;  // one-way, ranks do not tell each other
     demands_.resize(settings_.two_way ? demand_record * visits_.visitors() : 0);
     for (std::size_t i = 0; i < visits_.visitors(); ++i) {
         const double* record = &visitors_[i * width];
-        const double* seen = &seen_[seen_width * i];
-        const double eps = seen[0], d = record[diameter], held = first_step ? 0.0 : seen[4];
-        const Vector slip = to_vector(seen + 1) - to_vector(record + velocity);
-        const double reynolds = eps * gas_.density() * slip.norm() * d / gas_.viscosity();
+        const GasSeen seen(&seen_[seen_width * i], long_step_);
+        const double eps = seen.voidage, d = record[diameter], held = first_step ? 0.0 : seen.held;
+        const Vector slip = seen.velocity - to_vector(record + velocity);
+        const double reynolds = eps * density * slip.norm() * d / viscosity;
         beyond_range_ += eps < law_.voidage_min || eps > law_.voidage_max || reynolds > law_.reynolds_max;
         const auto rate_of = [&](double slip_speed) {
-            return record[volume] * drag_rate_per_volume(law_, eps, slip_speed, d, gas_.density(), gas_.viscosity());
+            return record[volume] * drag_rate_per_volume(law_, eps, slip_speed, d, density, viscosity);
         };
-        const Vector acceleration = solids_.gravity() - record[volume] / record[mass] * to_vector(seen + 6);
+        Vector acceleration = gravity;
+        if (long_step_) acceleration -= record[volume] / record[mass] * seen.pressure_gradient;
         drag_rates_[i] = rate_over_step(rate_of, slip, record[mass], (1 - held) * acceleration, dt);
-        if (settings_.two_way) write_demand(record, drag_rates_[i], seen, dt, &demands_[demand_record * i]);
+        if (!settings_.two_way) continue;
+        fastest_relaxation_ = std::max(fastest_relaxation_, drag_rates_[i] / record[mass]);
+        write_demand(record, drag_rates_[i], seen, dt, &demands_[demand_record * i]);
     }
     if (settings_.two_way) map_demands(dt);
 }
 
-void CouplingStep::write_demand(const double* record, double drag_rate, const double* seen, double dt,
+void CouplingStep::write_demand(const double* record, double drag_rate, const GasSeen& seen, double dt,
                                 double* demand) const
 {
-    const Vector v = to_vector(record + velocity), last_gas_velocity = to_vector(seen + 1), g = solids_.gravity();
-    const double held = seen[4], doubt = seen[5];
-    const AssumedDrag drag = assume_drag(record[mass], drag_rate, held, g, dt);
-    const double stiff = stiffening(drag_rate, record[mass], doubt, dt);
+    const Vector v = to_vector(record + velocity), g = solids_.gravity();
+    const AssumedDrag drag = assume_drag(record[mass], drag_rate, seen.held, g, dt);
+    const double stiff = stiffening(drag_rate, record[mass], seen.doubt, dt);
     const double following = drag.following * record[volume];
     const double per_rate = drag_rate > 0 ? 1.0 / drag_rate : 0.0;
     demand[0] = drag.kappa + stiff;
     // the part of the force that does not wait for the gas solve
-    put(demand + 1, drag.kappa * v + stiff * last_gas_velocity - to_vector(record + pending) / dt);
+    put(demand + 1, drag.kappa * v + stiff * seen.velocity - to_vector(record + pending) / dt);
     demand[10] = drag.following * record[mass];
     demand[4] = following;
     // solids that begin with the new forces move through the whole step at the velocity of its end
     const double moving =
-        kicks_again_ ? -(1 - held) * std::expm1(-drag_rate * dt / record[mass]) * record[volume] : following;
+        kicks_again_ ? -(1 - seen.held) * std::expm1(-drag_rate * dt / record[mass]) * record[volume] : following;
     demand[5] = moving;
     demand[6] = moving * record[volume] * per_rate;
     put(demand + 7, (record[volume] - moving) * v + moving * record[mass] * per_rate * g);

@@ -49,7 +49,7 @@ void CouplingStep::note_crossing(double dt)
         const double* v = &visitors_[i * width + velocity];
         const Vector& extent = gas_.mesh().extent[static_cast<std::size_t>(visits_.cells()[i])];
         for (int axis = 0; axis < 3; ++axis)
-            crossing_ = std::max(crossing_, dt * std::abs(v[axis]) / extent[axis]);
+            if (dt * std::abs(v[axis]) > crossing_ * extent[axis]) crossing_ = dt * std::abs(v[axis]) / extent[axis];
     }
 }
 
@@ -103,9 +103,10 @@ StepState CouplingStep::state_of_step(double dt)
     state.fastest = std::sqrt(of_particles.value);
     state.fastest_at = of_particles.where;
     state.fastest_id = static_cast<int>(of_particles.id);
-    const Vector most = comm_.max(Vector(gas_speed2, crossing_, 0));
+    const Vector most = comm_.max(Vector(gas_speed2, crossing_, fastest_relaxation_));
     state.gas_speed = std::sqrt(most[0]);
     state.largest_crossing = most[1];
+    fastest_relaxation_ = most[2];
     return state;
 }
 

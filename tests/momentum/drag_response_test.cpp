@@ -194,7 +194,9 @@ TEST(FreeChange, IsTheExactSolutions)
     for (const double x : ratios) {
         const double k = x * m / dt;
         const Vector exact = -std::expm1(-x) * (u + m / k * a - v);
-        EXPECT_LT((free_change(m, k, u - v, a, dt) - exact).norm(), rounding * exact.norm() * (1 + 1e-9 / x)) << x;
+        EXPECT_LT((free_change(m, k, u - v, a, response_time(m, k, dt)) - exact).norm(),
+                  rounding * exact.norm() * (1 + 1e-9 / x))
+            << x;
     }
 }
 

@@ -63,7 +63,7 @@ TEST(RateOverStep, BringsTheFallCloserThanTheRateOfTheStart)
         const double dt = time / steps;
         for (int n = 0; n < steps; ++n) {
             const double k = predicts ? rate_over_step(law, -v, mass, gravity, dt) : law(v.norm());
-            v += free_change(mass, k, -v, gravity, dt);
+            v += free_change(mass, k, -v, gravity, response_time(mass, k, dt));
         }
         return v.z();
     };

@@ -41,6 +41,22 @@ GeometricField<Type, fvPatchField, volMesh> field_of_solids(const fvMesh& mesh, 
 
 }  // namespace
 
+/// How velocity and flux answer the forces on them: the same in all pressure corrections of a momentum matrix.
+struct PimpleGas::Response {
+    Response(const fvVectorMatrix& momentum, const surfaceScalarField& share, const surfaceScalarField& mixture,
+             const surfaceScalarField& mobility)
+        : in_cells("rAU", 1.0 / momentum.A()),
+          at_faces("rAUf", fvc::interpolate(in_cells)),
+          to_pressure(at_faces * share),
+          conductance(mixture * to_pressure + mobility)
+    {}
+
+    volScalarField in_cells;      ///< [s]
+    surfaceScalarField at_faces;  ///< [s]
+    surfaceScalarField to_pressure;
+    surfaceScalarField conductance;  ///< of gas and solids together
+};
+
 PimpleGas::PimpleGas(fvMesh& mesh)
     : GasFields(mesh),
       phi_(IOobject("phi", mesh.time().timeName(), mesh, IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE),
@@ -52,11 +68,13 @@ PimpleGas::PimpleGas(fvMesh& mesh)
       source_(cell_field<vector>(mesh, "exchangeSource", dimAcceleration)),
       load_(IOobject("exchangeLoad", mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false), mesh,
             dimensionedVector("none", dimAcceleration, Zero), zeroGradientFvPatchVectorField::typeName),
-      face_share_("pressedSharef", face_voidage_),
+      face_share_("pressedSharef", face_voidage_ / rho_),
       face_load_("exchangeLoadf", fvc::flux(load_)),
+      face_mixture_("mixturef", face_voidage_),
       following_(field_of_solids<scalar>(mesh, "followingSolids", dimless)),
       moving_(field_of_solids<scalar>(mesh, "movingSolids", dimless)),
       mobility_(field_of_solids<scalar>(mesh, "mobilityOfSolids", dimVelocity / (dimPressure / dimLength))),
+      face_mobility_("mobilityOfSolidsf", fvc::interpolate(mobility_)),
       solids_flux_(field_of_solids<vector>(mesh, "fluxOfSolids", dimVelocity)),
       face_directions_(mesh.Sf() / mesh.magSf()),
       to_cells_(inv(fvc::surfaceSum(face_directions_ * mesh.Sf())().internalField())),
@@ -84,7 +102,6 @@ void PimpleGas::take(const Demand& demand)
         moving_[c] = demand.moving[i];
         mobility_[c] = demand.mobility[i];
         solids_flux_[c] = vector_in(demand.flux) - demand.mobility[i] * weight;
-        surplus_[c] = demand.surplus[i];
     }
     // Of the time scheme's levels the current one cancels in solve(); the one before is the start of this step.
     const bool first = gas_share_.nOldTimes() == 0;
@@ -100,7 +117,11 @@ void PimpleGas::take(const Demand& demand)
     solids_flux_.correctBoundaryConditions();
     load_.correctBoundaryConditions();
     face_voidage_ = fvc::interpolate(voidage_);
-    face_share_ = face_voidage_ + fvc::interpolate(following_);
+    face_share_ = (face_voidage_ + fvc::interpolate(following_)) / rho_;
+    face_mixture_ = face_voidage_ + fvc::interpolate(moving_);
+    face_mobility_ = fvc::interpolate(mobility_);
+    surplus_ = -fvc::div(fvc::flux(solids_flux_))().internalField();
+    forAll(surplus_, c) surplus_[c] += demand.surplus[static_cast<std::size_t>(c)];
     face_load_ = fvc::flux(load_);
     forAll(face_load_.boundaryField(),
            patch) if (!p_rgh_.boundaryField()[patch].fixesValue() && !mesh_.boundary()[patch].coupled() &&
@@ -108,17 +129,12 @@ void PimpleGas::take(const Demand& demand)
         face_load_.boundaryFieldRef()[patch] = Zero;  // nothing there would hold it off the boundary
 }
 
-/// Of solids and pressure on the gas, over density, through the faces [m3/s2].
-tmp<surfaceScalarField> PimpleGas::force_flux() const
-{
-    return face_load_ - face_share_ * fvc::snGrad(p_rgh_) * mesh_.magSf() / rho_;
-}
-
 void PimpleGas::solve(double, const Demand& demand)
 {
     take(demand);
     const dimensionedScalar nu("nu", mu_ / rho_);
     const volScalarField voidage_nu("voidageNu", voidage_ * nu);
+    const surfaceScalarField flux_change(face_voidage_ * fvc::ddtCorr(U_, phi_));  // of old levels only
 
     while (control_.loop()) {
         const surfaceScalarField voidage_phi("voidagePhi", face_voidage_ * phi_);
@@ -128,44 +144,64 @@ void PimpleGas::solve(double, const Demand& demand)
                                     fvm::Sp(rate_, U_) ==
                                 source_);
         momentum.relax();
-        if (control_.momentumPredictor()) Foam::solve(momentum == force());
+        if (control_.momentumPredictor())
+            Foam::solve(momentum == in_cells(face_load_ - face_share_ * mesh_.magSf() * fvc::snGrad(p_rgh_)));
+        const Response response(momentum, face_share_, face_mixture_, face_mobility_);
         while (control_.correct())
-            correct_pressure(momentum);
+            correct_pressure(momentum, response, flux_change);
     }
     update_pressure();
 }
 
-void PimpleGas::correct_pressure(fvVectorMatrix& momentum)
+void PimpleGas::correct_pressure(const fvVectorMatrix& momentum, const Response& response,
+                                 const surfaceScalarField& flux_change)
 {
-    const volScalarField rAU("rAU", 1.0 / momentum.A());
-    const surfaceScalarField rAUf("rAUf", fvc::interpolate(rAU));
-    const surfaceScalarField face_response(rAUf * face_share_ / rho_);
-
-    const volVectorField HbyA(constrainHbyA(rAU * momentum.H(), U_, p_rgh_));
-    surfaceScalarField phiHbyA("phiHbyA", fvc::flux(HbyA) + face_voidage_ * rAUf * fvc::ddtCorr(U_, phi_));
+    const volVectorField HbyA(constrainHbyA(response.in_cells * momentum.H(), U_, p_rgh_));
+    surfaceScalarField phiHbyA("phiHbyA", fvc::flux(HbyA) + response.at_faces * flux_change);
     if (p_rgh_.needReference()) adjustPhi(phiHbyA, U_, p_rgh_);
-    phiHbyA += rAUf * face_load_;
-    constrainPressure(p_rgh_, U_, phiHbyA, face_response);
+    phiHbyA += response.at_faces * face_load_;
+    constrainPressure(p_rgh_, U_, phiHbyA, response.to_pressure);
 
-    const surfaceScalarField mixture(face_voidage_ + fvc::interpolate(moving_));
-    const surfaceScalarField conductance(mixture * face_response + fvc::interpolate(mobility_));
-    const volScalarField leaving(fvc::div(mixture * phiHbyA + fvc::flux(solids_flux_)));
+    const volScalarField leaving(fvc::div(face_mixture_ * phiHbyA));
     while (control_.correctNonOrthogonal()) {
-        fvScalarMatrix pressure(fvm::laplacian(conductance, p_rgh_) == leaving.internalField() - surplus_);
+        fvScalarMatrix pressure(fvm::laplacian(response.conductance, p_rgh_) == leaving.internalField() - surplus_);
         pressure.setReference(reference_cell_, reference_pressure_);
         pressure.solve(mesh_.solver(p_rgh_.select(control_.finalInnerIter())));
-        if (control_.finalNonOrthogonalIter()) phi_ = phiHbyA - face_response * pressure.flux() / conductance;
+        if (!control_.finalNonOrthogonalIter()) continue;
+        const surfaceScalarField slope(pressure.flux() / response.conductance);
+        phi_ = phiHbyA - response.to_pressure * slope;
+        U_ = HbyA;
+        U_.ref() += response.in_cells() * in_cells(face_load_ - face_share_ * slope);
+        U_.correctBoundaryConditions();
     }
     p_rgh_.relax();
-    U_ = HbyA;
-    U_.ref() += rAU() * force();
-    U_.correctBoundaryConditions();
 }
 
-tmp<volVectorField::Internal> PimpleGas::force() const
+tmp<volVectorField::Internal> PimpleGas::in_cells(const surfaceScalarField& force) const
 {
-    const volVectorField sums(fvc::surfaceSum(face_directions_ * force_flux()));
-    return to_cells_ & sums();
+    auto mean = tmp<volVectorField::Internal>::New(
+        IOobject("forceOnGas", mesh_.time().timeName(), mesh_, IOobject::NO_READ, IOobject::NO_WRITE, false), mesh_,
+        dimensionedVector("none", dimAcceleration, Zero));
+    vectorField& sums = mean.ref().field();
+    const labelUList &owner = mesh_.owner(), &neighbour = mesh_.neighbour();
+    const scalarField& along = force.primitiveField();
+    const vectorField& directions = face_directions_.primitiveField();
+    forAll(neighbour, face)
+    {
+        const vector push = along[face] * directions[face];
+        sums[owner[face]] += push;
+        sums[neighbour[face]] += push;
+    }
+    forAll(mesh_.boundary(), patch)
+    {
+        const labelUList& cells = mesh_.boundary()[patch].faceCells();
+        const scalarField& along_patch = force.boundaryField()[patch];
+        const vectorField& patch_directions = face_directions_.boundaryField()[patch];
+        forAll(cells, face) sums[cells[face]] += along_patch[face] * patch_directions[face];
+    }
+    const tensorField& to_cells = to_cells_.field();
+    forAll(sums, c) sums[c] = to_cells[c] & sums[c];
+    return mean;
 }
 
 Scalars PimpleGas::outflow() const

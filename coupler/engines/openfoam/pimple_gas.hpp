@@ -32,12 +32,14 @@ public:
     double courant_number() const override;
 
 private:
+    struct Response;
+
     void take(const Demand& demand);
-    void correct_pressure(Foam::fvVectorMatrix& momentum);
-    Foam::tmp<Foam::surfaceScalarField> force_flux() const;
-    /// The same in the cells [m/s2]: OpenFOAM's reconstruct(), whose tensor is kept, since it takes longer than all
-    /// else.
-    Foam::tmp<Foam::volVectorField::Internal> force() const;
+    void correct_pressure(const Foam::fvVectorMatrix& momentum, const Response& response,
+                          const Foam::surfaceScalarField& flux_change);
+    /// A force over density through the faces [m3/s2], in the cells [m/s2]: OpenFOAM's reconstruct(), whose tensor is
+    /// kept, since it takes longer than all else.
+    Foam::tmp<Foam::volVectorField::Internal> in_cells(const Foam::surfaceScalarField& force) const;
 
     Foam::surfaceScalarField phi_;  ///< of u [m3/s]
     Foam::surfaceScalarField face_voidage_;
@@ -45,15 +47,17 @@ private:
     Foam::volScalarField::Internal rate_;    ///< over density [1/s]
     Foam::volVectorField::Internal source_;  ///< over density [m/s2]
     Foam::volVectorField load_;              ///< over density, with what p less p_rgh does [m/s2]
-    Foam::surfaceScalarField face_share_;    ///< eps + Y: of the volume that feels the pressure gradient
+    Foam::surfaceScalarField face_share_;    ///< (eps + Y) / rho, of the volume that feels the pressure gradient
     Foam::surfaceScalarField face_load_;     ///< load through the faces [m3/s2]
+    Foam::surfaceScalarField face_mixture_;  ///< eps + M
     Foam::volScalarField following_;         ///< Y
     Foam::volScalarField moving_;            ///< M
     Foam::volScalarField mobility_;          ///< C [m3 s/kg]
-    Foam::volVectorField solids_flux_;       ///< A, with what p less p_rgh does [m/s]
+    Foam::surfaceScalarField face_mobility_;
+    Foam::volVectorField solids_flux_;  ///< A, with what p less p_rgh does [m/s]
     Foam::surfaceVectorField face_directions_;
     Foam::volTensorField::Internal to_cells_;  ///< from sums over faces [1/m2]
-    Foam::volScalarField::Internal surplus_;   ///< q [1/s]
+    Foam::volScalarField::Internal surplus_;   ///< q - div A [1/s]
     Foam::pimpleControl control_;
     Foam::label reference_cell_ = 0;
     Foam::scalar reference_pressure_ = 0;
