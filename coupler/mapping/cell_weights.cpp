@@ -75,8 +75,6 @@ void with_width(int width, Body&& body)
             return body(std::integral_constant<int, 9>{});
         case 10:
             return body(std::integral_constant<int, 10>{});
-        case 11:
-            return body(std::integral_constant<int, 11>{});
         default:
             return body(std::integral_constant<int, Eigen::Dynamic>{});
     }

@@ -179,6 +179,7 @@ void CoupledRun::step()
                                         {"steps_alternating", "1", static_cast<double>(counts.stability.alternating)},
                                         {"steps_accelerating", "1", static_cast<double>(counts.stability.accelerating)},
                                         {"steps_across_cells", "1", static_cast<double>(counts.stability.crossing)},
+                                        {"steps_outrun_by_waves", "1", static_cast<double>(counts.stability.outrun)},
                                         {"cells_relieved", "1", static_cast<double>(counts.cells_relieved)},
                                         {"particles_outside_mesh", "1", static_cast<double>(counts.outside_mesh)},
                                         {"beyond_drag_range", "1", static_cast<double>(counts.beyond_drag_range)}};

@@ -87,6 +87,7 @@ void Report::summary(const Account& account) const
         std::printf("    gas steps that alternate               %ld\n", steps.alternating);
         std::printf("    gas steps of particles beyond reason   %ld\n", steps.accelerating);
         std::printf("    gas steps that cross a cell            %ld\n", steps.crossing);
+        std::printf("    gas steps that waves outrun            %ld\n", steps.outrun);
     }
     if (account.has_solid_stress) {
         const StepTooLong& too_long = account.interventions.step_too_long;

@@ -31,9 +31,8 @@ constexpr std::size_t momentum_record = 4;
 /// a StressExchange adds.
 constexpr std::size_t homeward_record = 10;
 
-/// What goes to the cells of a particle: kappa, source (3), following, moving, mobility, flux (3), following
-/// mass.
-constexpr std::size_t demand_record = 11;
+/// What goes to the cells of a particle: kappa, source (3), following, moving, mobility, flux (3).
+constexpr std::size_t demand_record = 10;
 
 /// What a particle sees of the gas before it is solved: voidage and velocity, and in long steps how contacts hold the
 /// solids here, in doubt or not, and the last pressure gradient.

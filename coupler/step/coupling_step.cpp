@@ -237,8 +237,7 @@ void CouplingStep::return_gas_to_particles(double dt)
     if (settings_.two_way)
         for (std::size_t c = 0; c < voidage_.size(); ++c) {
             const double volume = gas_.mesh().volume[c];
-            const Vector drag = demand_.rate[c] * vector_at(gas_velocity, 3 * c) -
-                                (vector_at(demand_.source, 3 * c) + vector_at(demand_.load, 3 * c));
+            const Vector drag = demand_.rate[c] * vector_at(gas_velocity, 3 * c) - vector_at(demand_.source, 3 * c);
             const double pressed = solid_volume_[c] - volume * demand_.following[c];
             transactions_.given_by_gas += dt * (volume * drag - pressed * vector_at(gradient, 3 * c));
         }

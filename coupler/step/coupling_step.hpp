@@ -138,6 +138,7 @@ private:
     bool kicks_again_ = false;  ///< the solids begin this gas step with its own forces
     double time_ = 0;           ///< for the watch [s]
     double crossing_ = 0;       ///< most gas cells that a particle of this rank crosses in the step
+    double wave_crossing_ = 0;  ///< most gas cells that a wave of the solid fraction crosses in the step
     double widest_;             ///< diagonal of the whole mesh [m]
     std::string news_;
     long outside_ = 0;

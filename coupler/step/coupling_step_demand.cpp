@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "momentum/drag_response.hpp"
+#include "momentum/kinematic_wave.hpp"
 #include "momentum/rate_over_step.hpp"
 #include "step/coupling_records.hpp"
 #include "step/coupling_step.hpp"
@@ -48,6 +49,7 @@ void CouplingStep::map_drag(double dt)
     const Vector gravity = solids_.gravity();
     const double density = gas_.density(), viscosity = gas_.viscosity();
     drag_rates_.resize(visits_.visitors());
+    wave_crossing_ = 0;
     fastest_relaxation_ = settings_.two_way ? 0.0 : DBL_MAX;  // one-way, ranks do not tell each other
     demands_.resize(settings_.two_way ? demand_record * visits_.visitors() : 0);
     for (std::size_t i = 0; i < visits_.visitors(); ++i) {
@@ -57,14 +59,23 @@ void CouplingStep::map_drag(double dt)
         const Vector slip = seen.velocity - to_vector(record + velocity);
         const double reynolds = eps * density * slip.norm() * d / viscosity;
         beyond_range_ += eps < law_.voidage_min || eps > law_.voidage_max || reynolds > law_.reynolds_max;
-        const auto rate_of = [&](double slip_speed) {
-            return record[volume] * drag_rate_per_volume(law_, eps, slip_speed, d, density, viscosity);
+        const auto rate_at = [&](double voidage, double slip_speed) {
+            return record[volume] * drag_rate_per_volume(law_, voidage, slip_speed, d, density, viscosity);
         };
+        const auto rate_of = [&](double slip_speed) { return rate_at(eps, slip_speed); };
         Vector acceleration = gravity;
         if (long_step_) acceleration -= record[volume] / record[mass] * seen.pressure_gradient;
         drag_rates_[i] = rate_over_step(rate_of, slip, record[mass], (1 - held) * acceleration, dt);
         if (!settings_.two_way) continue;
         fastest_relaxation_ = std::max(fastest_relaxation_, drag_rates_[i] / record[mass]);
+        // A step below one relaxation time sees inertia, one in a bed that rests none of its waves.
+        constexpr double rests = 0.5;
+        if (drag_rates_[i] * dt > record[mass] && held < rests && slip.norm() > 0) {
+            const double speed = kinematic_wave_speed(rate_at, eps, slip.norm()) / slip.norm();
+            const Vector& extent = gas_.mesh().extent[static_cast<std::size_t>(visits_.cells()[i])];
+            const double cells = dt * speed * slip.cwiseQuotient(extent).cwiseAbs().maxCoeff();
+            wave_crossing_ = std::max(wave_crossing_, cells);
+        }
         write_demand(record, drag_rates_[i], seen, dt, &demands_[demand_record * i]);
     }
     if (settings_.two_way) map_demands(dt);
@@ -80,8 +91,7 @@ void CouplingStep::write_demand(const double* record, double drag_rate, const Ga
     const double per_rate = drag_rate > 0 ? 1.0 / drag_rate : 0.0;
     demand[0] = drag.kappa + stiff;
     // the part of the force that does not wait for the gas solve
-    put(demand + 1, drag.kappa * v + stiff * seen.velocity - to_vector(record + pending) / dt);
-    demand[10] = drag.following * record[mass];
+    put(demand + 1, drag.kappa * v + stiff * seen.velocity + (drag.carried - to_vector(record + pending)) / dt);
     demand[4] = following;
     // solids that begin with the new forces move through the whole step at the velocity of its end
     const double moving =
@@ -95,8 +105,7 @@ Vector CouplingStep::assumed_impulse(std::size_t visitor, const Vector& gas_velo
                                      double dt) const
 {
     const double *record = &visitors_[visitor_width() * visitor], *demand = &demands_[demand_record * visitor];
-    const Vector explicit_force = to_vector(demand + 1) + demand[10] * solids_.gravity();
-    const Vector drag = dt * (demand[0] * gas_velocity - explicit_force) - to_vector(record + pending);
+    const Vector drag = dt * (demand[0] * gas_velocity - to_vector(demand + 1)) - to_vector(record + pending);
     return drag - dt * (record[volume] - demand[4]) * pressure_gradient;
 }
 
@@ -111,7 +120,6 @@ void CouplingStep::map_demands(double dt)
         const double volume = gas_.mesh().volume[c], per_volume = 1.0 / volume;
         demand_.rate[c] = content[0] * per_volume;
         put(&demand_.source[3 * c], per_volume * to_vector(content + 1));
-        put(&demand_.load[3 * c], per_volume * content[10] * solids_.gravity());
         demand_.following[c] = content[4] * per_volume;
         demand_.moving[c] = content[5] * per_volume;
         demand_.mobility[c] = content[6] * per_volume;

@@ -104,6 +104,7 @@ StepState CouplingStep::state_of_step(double dt)
     state.fastest_at = of_particles.where;
     state.fastest_id = static_cast<int>(of_particles.id);
     const Vector most = comm_.max(Vector(gas_speed2, crossing_, fastest_relaxation_));
+    state.largest_wave_crossing = comm_.max(Vector(wave_crossing_, 0, 0))[0];
     state.gas_speed = std::sqrt(most[0]);
     state.largest_crossing = most[1];
     fastest_relaxation_ = most[2];

@@ -11,15 +11,14 @@ namespace interphase {
 
 /// What the solids ask of the gas in one step, on this rank's cells [n]; vectors are flat, [n x 3].
 ///
-/// On the gas acts source + load - rate * u [N/m3], and the gradient of the full pressure on the share voidage +
-/// following of the volume; the solids' own flux over the step is flux + moving * u - mobility * grad p [m/s], all of
-/// it with u and grad p of the end of the step.
+/// On the gas acts source - rate * u [N/m3], and the gradient of the full pressure on the share voidage + following of
+/// the volume; the solids' own flux over the step is flux + moving * u - mobility * grad p [m/s], all of it with u and
+/// grad p of the end of the step.
 struct Demand {
     explicit Demand(std::size_t cells)
         : gas_share(cells, 1.0),
           rate(cells, 0.0),
           source(3 * cells, 0.0),
-          load(3 * cells, 0.0),
           following(cells, 0.0),
           moving(cells, 0.0),
           mobility(cells, 0.0),
@@ -30,7 +29,6 @@ struct Demand {
     Scalars gas_share;  ///< volume of gas there is, by what has flowed in and out, over that of the cell
     Scalars rate;       ///< [kg/(m3 s)]
     Scalars source;     ///< [n x 3, N/m3]
-    Scalars load;       ///< [n x 3, N/m3]: weight of solids that the pressure gradient takes back where they are free
     Scalars following;  ///< solid volume whose pressure force drag gives back, a share of the whole volume, 0 to 1
     Scalars moving;     ///< solid volume that moves as the gas does, likewise
     Scalars mobility;   ///< [m3 s/kg]

@@ -61,6 +61,8 @@ Finding StabilityWatch::observe(const StepState& state)
     adapt_step(state.duration, trouble);
 
     Finding finding{trouble.stability, watch_crossing(state)};
+    const std::string of_waves = watch_waves(state);
+    finding.message += (finding.message.empty() || of_waves.empty() ? "" : "\n") + of_waves;
     if (sets_in) ++counts_.episodes;
     if (sets_in || trouble.stability == Stability::hopeless)
         finding.message += (finding.message.empty() ? "" : "\n") + trouble.what + place(state) +
@@ -202,6 +204,20 @@ std::string StabilityWatch::watch_crossing(const StepState& state)
     return "a particle crosses " + about(state.largest_crossing) +
            " gas cells in a gas step: it feels the gas of cells that it has left (told once, counted from now on)" +
            place(state) + moment(state, "in a gas step") + shorter_step(longest_within_cells_);
+}
+
+std::string StabilityWatch::watch_waves(const StepState& state)
+{
+    if (!(state.largest_wave_crossing > limits_.waves)) return {};
+    const double limit = limits_.waves / state.largest_wave_crossing * state.duration;
+    longest_within_cells_ = std::min(longest_within_cells_, limit);
+    ++counts_.outrun;
+    if (told_waves_) return {};
+    told_waves_ = true;
+    return "waves of the solid fraction run " + about(state.largest_wave_crossing) +
+           " gas cells in a gas step, while drag is of the voidage at its start: they grow, and the bed may break up "
+           "or stand at another height (told once, counted from now on)" +
+           place(state) + moment(state, "in a gas step") + shorter_step(limit);
 }
 
 }  // namespace interphase

@@ -34,6 +34,7 @@ void visit_columns(State& state, const Visit& visit)
     visit("fastest_id", state.fastest_id);
     visit("gas_speed", state.gas_speed);
     visit("largest_crossing", state.largest_crossing);
+    visit("largest_wave_crossing", state.largest_wave_crossing);
 }
 
 void set(StepState& state, const std::string& column, double value)

@@ -30,6 +30,9 @@ struct StepState {
     int fastest_id = 0;
     double gas_speed = 0;         ///< largest of any cell [m/s]
     double largest_crossing = 0;  ///< most gas cells of its own size that a particle crosses in this step
+    /// ... and that a wave of the solid fraction does, where drag carries the particles and the step is longer than
+    /// their relaxation time.
+    double largest_wave_crossing = 0;
 };
 
 /// A series of them as text, to look at it later: a line of names, then a line of numbers a step.

@@ -26,6 +26,7 @@ TEST(StepState, ReadsWhatWasWritten)
     state.where = Vector(1, 2, 3);
     state.fastest_id = 17;
     state.largest_crossing = 0.25;
+    state.largest_wave_crossing = 0.75;
     std::stringstream table;
     write_names(table);
     write(state, table);
@@ -35,6 +36,7 @@ TEST(StepState, ReadsWhatWasWritten)
     EXPECT_EQ(read[0].where, state.where);
     EXPECT_EQ(read[0].fastest_id, 17);
     EXPECT_EQ(read[0].largest_crossing, 0.25);
+    EXPECT_EQ(read[0].largest_wave_crossing, 0.75);
     EXPECT_EQ(read[1].mean_pressure_gradient.z(), -weight);
 
     std::stringstream some("time mean_pressure_gradient_z\n0.5 nan\n");

@@ -21,8 +21,7 @@ void BoxGas::solve(double dt, const Demand& demand)
     for (std::size_t c = 0; c < voidage_.size(); ++c)
         for (int axis = 0; axis < 3; ++axis) {
             double& u = velocity_[3 * c + static_cast<std::size_t>(axis)];
-            const double force = demand.source[3 * c + static_cast<std::size_t>(axis)] +
-                                 demand.load[3 * c + static_cast<std::size_t>(axis)] + body_force_[axis] -
+            const double force = demand.source[3 * c + static_cast<std::size_t>(axis)] + body_force_[axis] -
                                  (voidage_[c] + demand.following[c]) * gradient_[axis];
             u = (inertia_ * u + dt * force) / (inertia_ + dt * demand.rate[c]);
         }

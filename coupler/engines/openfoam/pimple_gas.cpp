@@ -65,11 +65,10 @@ PimpleGas::PimpleGas(fvMesh& mesh)
       gas_share_(IOobject("gasShare", mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false), mesh,
                  dimensionedScalar("one", dimless, 1)),
       rate_(cell_field<scalar>(mesh, "exchangeRate", dimless / dimTime)),
-      source_(cell_field<vector>(mesh, "exchangeSource", dimAcceleration)),
-      load_(IOobject("exchangeLoad", mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false), mesh,
-            dimensionedVector("none", dimAcceleration, Zero), zeroGradientFvPatchVectorField::typeName),
+      source_(IOobject("exchangeSource", mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false),
+              mesh, dimensionedVector("none", dimAcceleration, Zero), zeroGradientFvPatchVectorField::typeName),
       face_share_("pressedSharef", face_voidage_ / rho_),
-      face_load_("exchangeLoadf", fvc::flux(load_)),
+      face_source_("exchangeSourcef", fvc::flux(source_)),
       face_mixture_("mixturef", face_voidage_),
       following_(field_of_solids<scalar>(mesh, "followingSolids", dimless)),
       moving_(field_of_solids<scalar>(mesh, "movingSolids", dimless)),
@@ -96,8 +95,7 @@ void PimpleGas::take(const Demand& demand)
             return vector(flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]);
         };
         rate_[c] = demand.rate[i] / density;
-        source_[c] = vector_in(demand.source) / density;
-        load_[c] = (vector_in(demand.load) - demand.following[i] * weight) / density;
+        source_[c] = (vector_in(demand.source) - demand.following[i] * weight) / density;
         following_[c] = demand.following[i];
         moving_[c] = demand.moving[i];
         mobility_[c] = demand.mobility[i];
@@ -115,18 +113,18 @@ void PimpleGas::take(const Demand& demand)
     moving_.correctBoundaryConditions();
     mobility_.correctBoundaryConditions();
     solids_flux_.correctBoundaryConditions();
-    load_.correctBoundaryConditions();
+    source_.correctBoundaryConditions();
     face_voidage_ = fvc::interpolate(voidage_);
     face_share_ = (face_voidage_ + fvc::interpolate(following_)) / rho_;
     face_mixture_ = face_voidage_ + fvc::interpolate(moving_);
     face_mobility_ = fvc::interpolate(mobility_);
     surplus_ = -fvc::div(fvc::flux(solids_flux_))().internalField();
     forAll(surplus_, c) surplus_[c] += demand.surplus[static_cast<std::size_t>(c)];
-    face_load_ = fvc::flux(load_);
-    forAll(face_load_.boundaryField(),
+    face_source_ = fvc::flux(source_);
+    forAll(face_source_.boundaryField(),
            patch) if (!p_rgh_.boundaryField()[patch].fixesValue() && !mesh_.boundary()[patch].coupled() &&
                       !isA<fixedFluxPressureFvPatchScalarField>(p_rgh_.boundaryField()[patch]))
-        face_load_.boundaryFieldRef()[patch] = Zero;  // nothing there would hold it off the boundary
+        face_source_.boundaryFieldRef()[patch] = Zero;  // nothing there would hold it off the boundary
 }
 
 void PimpleGas::solve(double, const Demand& demand)
@@ -139,13 +137,12 @@ void PimpleGas::solve(double, const Demand& demand)
     while (control_.loop()) {
         const surfaceScalarField voidage_phi("voidagePhi", face_voidage_ * phi_);
         fvVectorMatrix momentum(fvm::ddt(gas_share_, U_) + fvm::div(voidage_phi, U_) -
-                                    fvm::Sp(fvc::ddt(gas_share_) + fvc::div(voidage_phi), U_) -
-                                    fvm::laplacian(voidage_nu, U_) - fvc::div(voidage_nu * dev2(T(fvc::grad(U_)))) +
-                                    fvm::Sp(rate_, U_) ==
-                                source_);
+                                fvm::Sp(fvc::ddt(gas_share_) + fvc::div(voidage_phi), U_) -
+                                fvm::laplacian(voidage_nu, U_) - fvc::div(voidage_nu * dev2(T(fvc::grad(U_)))) +
+                                fvm::Sp(rate_, U_));
         momentum.relax();
         if (control_.momentumPredictor())
-            Foam::solve(momentum == in_cells(face_load_ - face_share_ * mesh_.magSf() * fvc::snGrad(p_rgh_)));
+            Foam::solve(momentum == in_cells(face_source_ - face_share_ * mesh_.magSf() * fvc::snGrad(p_rgh_)));
         const Response response(momentum, face_share_, face_mixture_, face_mobility_);
         while (control_.correct())
             correct_pressure(momentum, response, flux_change);
@@ -159,7 +156,7 @@ void PimpleGas::correct_pressure(const fvVectorMatrix& momentum, const Response&
     const volVectorField HbyA(constrainHbyA(response.in_cells * momentum.H(), U_, p_rgh_));
     surfaceScalarField phiHbyA("phiHbyA", fvc::flux(HbyA) + response.at_faces * flux_change);
     if (p_rgh_.needReference()) adjustPhi(phiHbyA, U_, p_rgh_);
-    phiHbyA += response.at_faces * face_load_;
+    phiHbyA += response.at_faces * face_source_;
     constrainPressure(p_rgh_, U_, phiHbyA, response.to_pressure);
 
     const volScalarField leaving(fvc::div(face_mixture_ * phiHbyA));
@@ -171,7 +168,7 @@ void PimpleGas::correct_pressure(const fvVectorMatrix& momentum, const Response&
         const surfaceScalarField slope(pressure.flux() / response.conductance);
         phi_ = phiHbyA - response.to_pressure * slope;
         U_ = HbyA;
-        U_.ref() += response.in_cells() * in_cells(face_load_ - face_share_ * slope);
+        U_.ref() += response.in_cells() * in_cells(face_source_ - face_share_ * slope);
         U_.correctBoundaryConditions();
     }
     p_rgh_.relax();
