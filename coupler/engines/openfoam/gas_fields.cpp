@@ -27,13 +27,12 @@ Scalars flat(const volVectorField& field)
 /// Where the velocity is given, the inflow carries no particles and the velocity is superficial: voidage 1.
 wordList voidage_patch_types(const volVectorField& U)
 {
-    wordList types(U.boundaryField().size(), zeroGradientFvPatchScalarField::typeName);
+    wordList types = patch_types(U.mesh(), zeroGradientFvPatchScalarField::typeName);
     forAll(types, patch)
     {
         const auto& field = U.boundaryField()[patch];
-        if (field.patch().constraintType(field.patch().type()))
-            types[patch] = field.patch().type();
-        else if (field.fixesValue() && field.patch().type() != "wall")
+        const word& own = field.patch().type();
+        if (!fvPatch::constraintType(own) && field.fixesValue() && own != "wall")
             types[patch] = fixedValueFvPatchScalarField::typeName;
     }
     return types;
@@ -51,6 +50,17 @@ dictionary transport_properties(const fvMesh& mesh)
 }
 
 }  // namespace
+
+wordList patch_types(const fvMesh& mesh, const word& type)
+{
+    wordList types(mesh.boundary().size(), type);
+    forAll(types, patch)
+    {
+        const word& own = mesh.boundary()[patch].type();
+        if (fvPatch::constraintType(own)) types[patch] = own;
+    }
+    return types;
+}
 
 double positive_property(const dictionary& dictionary, const char* name)
 {
@@ -110,15 +120,9 @@ Scalars GasFields::gradient(const Scalars& of_cells) const
 
 Scalars GasFields::stretching(const Scalars& flow) const
 {
-    wordList types(mesh_.boundary().size(), fixedValueFvPatchVectorField::typeName);
-    forAll(types, patch)
-    {
-        const fvPatch& side = mesh_.boundary()[patch];
-        if (fvPatch::constraintType(side.type())) types[patch] = side.type();
-    }
     volVectorField field(
         IOobject("flowOfSolids", mesh_.time().timeName(), mesh_, IOobject::NO_READ, IOobject::NO_WRITE, false), mesh_,
-        dimensionedVector("zero", dimless, Zero), types);
+        dimensionedVector("zero", dimless, Zero), patch_types(mesh_, fixedValueFvPatchVectorField::typeName));
     forAll(field, c) for (direction axis = 0; axis < 3; ++axis) field[c][axis] =
         flow[3 * static_cast<std::size_t>(c) + axis];
     field.correctBoundaryConditions();

@@ -46,6 +46,10 @@ protected:
     Foam::volScalarField p_;
 };
 
+/// `type` on every patch of the mesh but where the patch itself constrains it (empty, cyclic, symmetry, processor,
+/// ...).
+Foam::wordList patch_types(const Foam::fvMesh& mesh, const Foam::word& type);
+
 /// A UserError for a property that is not positive; `dictionary` names the file.
 double positive_property(const Foam::dictionary& dictionary, const char* name);
 

@@ -28,15 +28,9 @@ template <class Type>
 GeometricField<Type, fvPatchField, volMesh> field_of_solids(const fvMesh& mesh, const char* name,
                                                             const dimensionSet& dimensions)
 {
-    wordList types(mesh.boundary().size(), fixedValueFvPatchField<Type>::typeName);
-    forAll(types, patch)
-    {
-        const word& type = mesh.boundary()[patch].type();
-        if (fvPatch::constraintType(type)) types[patch] = type;
-    }
     return GeometricField<Type, fvPatchField, volMesh>(
         IOobject(name, mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false), mesh,
-        dimensioned<Type>(name, dimensions, Zero), types);
+        dimensioned<Type>(name, dimensions, Zero), patch_types(mesh, fixedValueFvPatchField<Type>::typeName));
 }
 
 }  // namespace
