@@ -28,6 +28,7 @@ public:
     double max(double value) const;
     double min(double value) const;
     Vector max(const Vector& value) const;
+    void max(Scalars& values) const;
     Vector min(const Vector& value) const;
     bool any(bool value) const;
     void barrier() const;

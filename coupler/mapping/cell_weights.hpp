@@ -32,9 +32,9 @@ public:
 
 private:
     const CellNeighbourhood& cells_;
-    std::vector<std::size_t> first_{0};
-    std::vector<int> cell_;
-    Scalars weight_;
+    std::vector<std::size_t> first_{0};  ///< entry of each particle, and one past the last
+    std::vector<int> cell_;              ///< what follows the last entry is spare
+    Scalars weight_;                     ///< likewise
 };
 
 }  // namespace interphase

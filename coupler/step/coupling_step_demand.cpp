@@ -68,13 +68,12 @@ void CouplingStep::map_drag(double dt)
         drag_rates_[i] = rate_over_step(rate_of, slip, record[mass], (1 - held) * acceleration, dt);
         if (!settings_.two_way) continue;
         fastest_relaxation_ = std::max(fastest_relaxation_, drag_rates_[i] / record[mass]);
-        // A step below one relaxation time sees inertia, one in a bed that rests none of its waves.
-        constexpr double rests = 0.5;
-        if (drag_rates_[i] * dt > record[mass] && held < rests && slip.norm() > 0) {
-            const double speed = kinematic_wave_speed(rate_at, eps, slip.norm()) / slip.norm();
+        // Waves are kinematic in steps beyond one relaxation time, and there are none in a bed at rest.
+        constexpr double at_rest = 0.5;
+        if (drag_rates_[i] * dt > record[mass] && held < at_rest && slip.norm() > 0) {
+            const Vector wave = kinematic_wave_speed(rate_at, eps, slip.norm()) * slip.normalized();
             const Vector& extent = gas_.mesh().extent[static_cast<std::size_t>(visits_.cells()[i])];
-            const double cells = dt * speed * slip.cwiseQuotient(extent).cwiseAbs().maxCoeff();
-            wave_crossing_ = std::max(wave_crossing_, cells);
+            wave_crossing_ = std::max(wave_crossing_, dt * wave.cwiseQuotient(extent).cwiseAbs().maxCoeff());
         }
         write_demand(record, drag_rates_[i], seen, dt, &demands_[demand_record * i]);
     }

@@ -103,11 +103,12 @@ StepState CouplingStep::state_of_step(double dt)
     state.fastest = std::sqrt(of_particles.value);
     state.fastest_at = of_particles.where;
     state.fastest_id = static_cast<int>(of_particles.id);
-    const Vector most = comm_.max(Vector(gas_speed2, crossing_, fastest_relaxation_));
-    state.largest_wave_crossing = comm_.max(Vector(wave_crossing_, 0, 0))[0];
+    Scalars most{gas_speed2, crossing_, wave_crossing_, fastest_relaxation_};
+    comm_.max(most);
     state.gas_speed = std::sqrt(most[0]);
     state.largest_crossing = most[1];
-    fastest_relaxation_ = most[2];
+    state.largest_wave_crossing = most[2];
+    fastest_relaxation_ = most[3];
     return state;
 }
 

@@ -198,26 +198,26 @@ std::string StabilityWatch::watch_crossing(const StepState& state)
 {
     longest_within_cells_ = state.largest_crossing > 0 ? state.duration / state.largest_crossing : DBL_MAX;
     if (!(state.largest_crossing > 1)) return {};
-    ++counts_.crossing;
-    if (told_crossing_) return {};
-    told_crossing_ = true;
-    return "a particle crosses " + about(state.largest_crossing) +
-           " gas cells in a gas step: it feels the gas of cells that it has left (told once, counted from now on)" +
-           place(state) + moment(state, "in a gas step") + shorter_step(longest_within_cells_);
+    return too_far(state, longest_within_cells_, counts_.crossing,
+                   "a particle crosses " + about(state.largest_crossing) +
+                       " gas cells in a gas step: it feels the gas of cells that it has left");
 }
 
 std::string StabilityWatch::watch_waves(const StepState& state)
 {
     if (!(state.largest_wave_crossing > limits_.waves)) return {};
-    const double limit = limits_.waves / state.largest_wave_crossing * state.duration;
+    return too_far(state, limits_.waves / state.largest_wave_crossing * state.duration, counts_.outrun,
+                   "waves of the solid fraction run " + about(state.largest_wave_crossing) +
+                       " gas cells in a gas step, while drag is of the voidage at its start: they grow, and the bed "
+                       "may break up or stand at another height");
+}
+
+std::string StabilityWatch::too_far(const StepState& state, double limit, long& count, const std::string& what)
+{
     longest_within_cells_ = std::min(longest_within_cells_, limit);
-    ++counts_.outrun;
-    if (told_waves_) return {};
-    told_waves_ = true;
-    return "waves of the solid fraction run " + about(state.largest_wave_crossing) +
-           " gas cells in a gas step, while drag is of the voidage at its start: they grow, and the bed may break up "
-           "or stand at another height (told once, counted from now on)" +
-           place(state) + moment(state, "in a gas step") + shorter_step(limit);
+    if (++count > 1) return {};
+    return what + " (told once, counted from now on)" + place(state) + moment(state, "in a gas step") +
+           shorter_step(limit);
 }
 
 }  // namespace interphase

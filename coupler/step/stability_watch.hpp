@@ -62,13 +62,13 @@ struct StabilityLimits {
     double faster = 1.3;
     double pull = 5;
     double beyond_gas = 3;
+    int accelerating = 8;
+    int hopeless_accelerating = 12;
+
     /// Drag is of the voidage at the start of a step, so waves that run further than this in it [gas cells] grow.
     /// In 3 s columns of liquid did at 0.32 cells a step what they do in short steps, and were 4 to 13 % off the law's
     /// height at 0.7 to 0.95 (cases/suspension).
     double waves = 0.5;
-
-    int accelerating = 8;
-    int hopeless_accelerating = 12;
 };
 
 /// Steps with something wrong, so far.
@@ -117,6 +117,9 @@ private:
     void adapt_step(double duration, const Trouble& trouble);
     std::string watch_crossing(const StepState& state);
     std::string watch_waves(const StepState& state);
+    /// Counts a step that ran too far, and shortens what longest_step() allows to `limit` [s]. What to tell of it: the
+    /// first time only.
+    std::string too_far(const StepState& state, double limit, long& count, const std::string& what);
 
     double gravity_;
     StabilityLimits limits_;
@@ -131,7 +134,6 @@ private:
 
     bool in_doubt_ = false;
     bool told_of_this_step_ = false;
-    bool told_crossing_ = false, told_waves_ = false;
     long calm_steps_ = 0;
     int patience_ = 0;  ///< steps until the step may be halved again
     double longest_calm_ = DBL_MAX, longest_within_cells_ = DBL_MAX;

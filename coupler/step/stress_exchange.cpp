@@ -127,9 +127,9 @@ Vector StressExchange::returned_by_drag(std::size_t i, double mass, double solid
 {
     const StressState& state = model_.states()[i];
     if (!(state.relaxation_time > 0 && state.relaxation_time < DBL_MAX)) return Vector::Zero();
-    const double x = solid_step / state.relaxation_time;
     // a constant force changes the velocity by its relaxed share: that is what the model gave, and this the rest of it
-    return -withheld_share(x) / relaxed_share(x) * mass * to_vector(state.change);
+    const auto [relaxed, withheld] = shares(solid_step / state.relaxation_time);
+    return -withheld / relaxed * mass * to_vector(state.change);
 }
 
 }  // namespace interphase

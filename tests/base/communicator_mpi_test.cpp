@@ -39,6 +39,9 @@ TEST(Communicator, ReducesOverAllRanks)
     Scalars several{mine, 2 * mine};
     world().sum(several);
     EXPECT_EQ(several, (Scalars{0.5 * n * (n + 1), 1.0 * n * (n + 1)}));
+    Scalars largest{mine, -mine};
+    world().max(largest);
+    EXPECT_EQ(largest, (Scalars{1.0 * n, -1.0}));
 }
 
 TEST(Communicator, GathersInRankOrder)

@@ -115,10 +115,13 @@ void PimpleGas::take(const Demand& demand)
     surplus_ = -fvc::div(fvc::flux(solids_flux_))().internalField();
     forAll(surplus_, c) surplus_[c] += demand.surplus[static_cast<std::size_t>(c)];
     face_source_ = fvc::flux(source_);
-    forAll(face_source_.boundaryField(),
-           patch) if (!p_rgh_.boundaryField()[patch].fixesValue() && !mesh_.boundary()[patch].coupled() &&
-                      !isA<fixedFluxPressureFvPatchScalarField>(p_rgh_.boundaryField()[patch]))
-        face_source_.boundaryFieldRef()[patch] = Zero;  // nothing there would hold it off the boundary
+    forAll(face_source_.boundaryField(), patch)
+    {
+        const fvPatchScalarField& pressure = p_rgh_.boundaryField()[patch];
+        const bool answers =
+            pressure.fixesValue() || pressure.coupled() || isA<fixedFluxPressureFvPatchScalarField>(pressure);
+        if (!answers) face_source_.boundaryFieldRef()[patch] = Zero;  // it would go through the boundary
+    }
 }
 
 void PimpleGas::solve(double, const Demand& demand)
@@ -159,6 +162,7 @@ void PimpleGas::correct_pressure(const fvVectorMatrix& momentum, const Response&
         pressure.setReference(reference_cell_, reference_pressure_);
         pressure.solve(mesh_.solver(p_rgh_.select(control_.finalInnerIter())));
         if (!control_.finalNonOrthogonalIter()) continue;
+        // All of the correction, also where the pressure takes a part of it only: velocity and flux stay together.
         const surfaceScalarField slope(pressure.flux() / response.conductance);
         phi_ = phiHbyA - response.to_pressure * slope;
         U_ = HbyA;

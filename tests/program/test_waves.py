@@ -1,0 +1,59 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+# timeout: 300
+"""A column fluidized by a viscous liquid in steps that waves of its solid fraction outrun: told once, counted, and with adjustTimeStep the
+step gives way. Other spheres, liquid, cells and law than those that the limit was found with."""
+
+import os
+import re
+import subprocess
+import sys
+import unittest
+
+import h5py
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+
+import support  # noqa: E402
+
+TOLD = "waves of the solid fraction run"
+SCENE = {
+    "mode": "fluidized", "solidFraction": 0.35, "startFraction": 0.36, "bedHeight": 0.03, "width": 0.006, "depth": 0.006, "height": 0.05,
+    "cells": "(1 1 16)", "diameter": 1.5e-3, "particleDensity": 2500, "gasDensity": 1200, "gasViscosity": 0.01, "dragLaw": "Ergun",
+}  # fmt: skip
+
+
+class Waves(support.ProgramTest):
+    def column(self, name, step, adjusted):
+        """(what the run said, its ledger's count of outrun steps)."""
+        out = os.path.join(self.root, name)
+        settings = {**SCENE, "gasStep": step, "recordInterval": step, "system/controlDict:adjustTimeStep": "yes" if adjusted else "no"}
+        words = [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
+        done = subprocess.run(
+            [os.path.join(support.TOOLS, "run"), os.path.join(support.SOURCE, "cases", "suspension"), "--no-picture", "--quiet", "--out", out,
+             "--until", str(8 * step), *words], stdin=subprocess.DEVNULL, capture_output=True, text=True,
+            env=support.environment(INTERPHASE_BIN=support.PROGRAM), timeout=250,
+        )  # fmt: skip
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        with open(os.path.join(out, "log.interphase"), encoding="utf-8") as log:
+            said = log.read()
+        with h5py.File(os.path.join(out, "results.h5")) as file:
+            return said, file["ledger/steps_outrun_by_waves"][-1]
+
+    def test_are_told_and_obeyed(self):
+        said, outrun = self.column("long", 0.1, False)
+        self.assertEqual(said.count(TOLD), 1, said)
+        self.assertEqual(outrun, 8)
+        limit = float(re.search(r"a gas step below ([0-9.e-]+) s", said)[1])
+        self.assertLess(limit, 0.1)
+
+        _, outrun = self.column("short", 0.2 * limit, False)
+        self.assertEqual(outrun, 0)
+
+        said, outrun = self.column("adjusted", 0.1, True)
+        cells = float(re.search(TOLD + r" ([0-9.]+) gas cells", said)[1]) if TOLD in said else 0.0
+        self.assertLess(cells, 1)  # the limit is 0.5, and answers to the step before
+
+
+if __name__ == "__main__":
+    unittest.main()
