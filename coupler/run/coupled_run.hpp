@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "clock/lockstep_clock.hpp"
+#include "run/lockstep_clock.hpp"
 #include "engines/liggghts/liggghts_solids.hpp"
 #include "engines/openfoam/foam_case.hpp"
 #include "records/particle_snapshots.hpp"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "records/stopwatch.hpp"
+#include "base/stopwatch.hpp"
 #include "run/observation.hpp"
 #include "step/coupling_step.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "drag/drag_law.hpp"
+#include "forces/drag/drag_law.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 # timeout: 900
 """The cases with a known answer: a sphere settles as its equation of motion says, a lattice falls through rising gas as
 its own says, a packing's pressure drop is the drag law's. The references are written down here a second time, from the
-papers, so that they test coupler/drag too."""
+papers, so that they test coupler/forces/drag too."""
 
 import math
 import os

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <memory>
 
-#include "drag/drag_law.hpp"
+#include "forces/drag/drag_law.hpp"
 #include "support/scene.hpp"
 #include "support/world.hpp"
 

@@ -9,7 +9,7 @@
 #include "OSspecific.H"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
-#include "drag/drag_law.hpp"
+#include "forces/drag/drag_law.hpp"
 #include "engines/openfoam/dictionary_reader.hpp"
 #include "vector.H"
 

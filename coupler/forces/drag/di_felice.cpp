@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drag/di_felice.hpp"
+#include "forces/drag/di_felice.hpp"
 
 #include <cmath>
 
-#include "drag/dalla_valle.hpp"
+#include "forces/drag/dalla_valle.hpp"
 
 namespace interphase {
 

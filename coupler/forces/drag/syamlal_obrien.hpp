@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "drag/drag_state.hpp"
+#include "forces/drag/drag_state.hpp"
 
 namespace interphase {
 

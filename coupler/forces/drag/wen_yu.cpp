@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drag/wen_yu.hpp"
+#include "forces/drag/wen_yu.hpp"
 
 #include <cmath>
 
-#include "drag/schiller_naumann.hpp"
+#include "forces/drag/schiller_naumann.hpp"
 
 namespace interphase {
 

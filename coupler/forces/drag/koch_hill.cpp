@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drag/koch_hill.hpp"
+#include "forces/drag/koch_hill.hpp"
 
 #include <cmath>
 

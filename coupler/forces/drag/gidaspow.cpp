@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drag/gidaspow.hpp"
+#include "forces/drag/gidaspow.hpp"
 
-#include "drag/ergun.hpp"
-#include "drag/wen_yu.hpp"
+#include "forces/drag/ergun.hpp"
+#include "forces/drag/wen_yu.hpp"
 
 namespace interphase {
 

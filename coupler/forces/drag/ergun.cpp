@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drag/ergun.hpp"
+#include "forces/drag/ergun.hpp"
 
 namespace interphase {
 

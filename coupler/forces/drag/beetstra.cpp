@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drag/beetstra.hpp"
+#include "forces/drag/beetstra.hpp"
 
 #include <algorithm>
 #include <cmath>

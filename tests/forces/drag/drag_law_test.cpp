@@ -4,7 +4,7 @@
 // against Ergun's equation, settling suspensions against Richardson-Zaki and Garside-Al-Dibouni, random arrays at
 // Re = 0 against theory and independent simulations; and what every law owes its callers: finite, positive, a force
 // that grows with slip.
-#include "drag/drag_law.hpp"
+#include "forces/drag/drag_law.hpp"
 
 #include <cfenv>
 #include <cmath>

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drag/drag_law.hpp"
+#include "forces/drag/drag_law.hpp"
 
 #include <algorithm>
 
-#include "drag/beetstra.hpp"
-#include "drag/di_felice.hpp"
-#include "drag/ergun.hpp"
-#include "drag/gidaspow.hpp"
-#include "drag/koch_hill.hpp"
-#include "drag/schiller_naumann.hpp"
-#include "drag/syamlal_obrien.hpp"
-#include "drag/wen_yu.hpp"
+#include "forces/drag/beetstra.hpp"
+#include "forces/drag/di_felice.hpp"
+#include "forces/drag/ergun.hpp"
+#include "forces/drag/gidaspow.hpp"
+#include "forces/drag/koch_hill.hpp"
+#include "forces/drag/schiller_naumann.hpp"
+#include "forces/drag/syamlal_obrien.hpp"
+#include "forces/drag/wen_yu.hpp"
 
 namespace interphase {
 

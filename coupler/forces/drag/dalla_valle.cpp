@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drag/dalla_valle.hpp"
+#include "forces/drag/dalla_valle.hpp"
 
 #include <cmath>
 

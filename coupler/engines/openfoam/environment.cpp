@@ -23,7 +23,7 @@ void set_project_dir_and_restart(int, char** argv, char** environment)
     execve("/proc/self/exe", argv, extended);  // on failure OpenFOAM says what it misses
 }
 
-__attribute__((section(".preinit_array"), used)) void (*before_libraries)(int, char**,
-                                                                          char**) = set_project_dir_and_restart;
-
 }  // namespace
+
+extern "C" __attribute__((section(".preinit_array"), used)) void (*interphase_foam_environment)(
+    int, char**, char**) = set_project_dir_and_restart;

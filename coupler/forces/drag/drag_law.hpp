@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "drag/drag_state.hpp"
+#include "forces/drag/drag_state.hpp"
 
 namespace interphase {
 

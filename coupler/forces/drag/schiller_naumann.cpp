@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drag/schiller_naumann.hpp"
+#include "forces/drag/schiller_naumann.hpp"
 
 #include <cmath>
 

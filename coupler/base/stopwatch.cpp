@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "records/stopwatch.hpp"
+#include "base/stopwatch.hpp"
 
 #include <chrono>
 

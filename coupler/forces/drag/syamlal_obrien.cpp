@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drag/syamlal_obrien.hpp"
+#include "forces/drag/syamlal_obrien.hpp"
 
 #include <cmath>
 
-#include "drag/dalla_valle.hpp"
+#include "forces/drag/dalla_valle.hpp"
 
 namespace interphase {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "clock/lockstep_clock.hpp"
+#include "run/lockstep_clock.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A gas step is a whole number of solid substeps, the nearest below what is wanted, and ends at the end of the run.
-#include "clock/lockstep_clock.hpp"
+#include "run/lockstep_clock.hpp"
 
 #include <gtest/gtest.h>
 
