@@ -31,14 +31,9 @@ Vector Communicator::sum(const Vector& value) const { return reduce(value, MPI_S
 Vector Communicator::max(const Vector& value) const { return reduce(value, MPI_MAX); }
 Vector Communicator::min(const Vector& value) const { return reduce(value, MPI_MIN); }
 
-void Communicator::sum(Scalars& values) const
+void Communicator::combine(double* values, std::size_t count, MPI_Op operation) const
 {
-    MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM, comm_);
-}
-
-void Communicator::max(Scalars& values) const
-{
-    MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX, comm_);
+    MPI_Allreduce(MPI_IN_PLACE, values, static_cast<int>(count), MPI_DOUBLE, operation, comm_);
 }
 
 long Communicator::sum(long value) const

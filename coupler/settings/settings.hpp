@@ -33,6 +33,7 @@ struct Settings {
     bool two_way = true;  ///< whether the particles act on the gas
 
     std::string drag_law = "BVK";
+    std::vector<std::string> forces;  ///< interphase terms beside drag and pressure gradient (forces/terms.hpp)
 
     MappingType mapping = MappingType::kernel;
     double kernel_width = 0;        ///< least half-width of the kernel [m]; 0: two diameters of the tracked sphere

@@ -183,7 +183,7 @@ TEST(Trouble, OutsideTheLawsRangeIsCounted)
     // BVK claims voidages from 0.4 to 0.9: one particle of 1 mm in a cell of 10 mm leaves more
     const auto s = scene(ten());
     EXPECT_EQ(message_of(*s), "");
-    EXPECT_EQ(s->step.interventions().beyond_drag_range, 10);
+    EXPECT_EQ(s->step.interventions().of_terms[0].number, 10);
 }
 
 }  // namespace

@@ -8,6 +8,10 @@
 #include "base/user_error.hpp"
 #include "fixedValueFvPatchFields.H"
 #include "fvcGrad.H"
+#include "fvcSnGrad.H"
+#include "fvcSurfaceIntegrate.H"
+#include "surfaceFields.H"
+#include "surfaceInterpolate.H"
 #include "zeroGradientFvPatchFields.H"
 
 namespace interphase {
@@ -105,6 +109,30 @@ Scalars GasFields::pressure_gradient() const
     Scalars numbers = flat(gradient());
     for (std::size_t i = 0; i < numbers.size(); ++i)
         numbers[i] += hydrostatic[static_cast<direction>(i % 3)];
+    return numbers;
+}
+
+Scalars GasFields::velocity_gradient() const
+{
+    const tmp<volTensorField> gradient = fvc::grad(U_);
+    Scalars numbers(9 * static_cast<std::size_t>(U_.size()));
+    forAll(U_, c)
+    {
+        for (direction entry = 0; entry < 9; ++entry)
+            numbers[9 * static_cast<std::size_t>(c) + entry] = gradient()[c][entry];
+    }
+    return numbers;
+}
+
+Scalars GasFields::viscous_force() const
+{
+    // summed over faces, with the schemes that every case has
+    const tmp<volTensorField> of_transpose = dev2(T(fvc::grad(U_)));
+    const surfaceVectorField traction(mesh_.magSf() * fvc::snGrad(U_) +
+                                      (mesh_.Sf() & fvc::interpolate(of_transpose)));
+    Scalars numbers = flat(fvc::surfaceIntegrate(traction)());
+    for (double& number : numbers)
+        number *= mu_.value();
     return numbers;
 }
 
