@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/problem.hpp"
 #include "base/vector.hpp"
 
 namespace interphase {
@@ -36,12 +37,14 @@ public:
     /// Each rank's `mine`, in rank order (all of the same length).
     Scalars all_gather(const Scalars& mine) const;
 
-    /// Throws the lowest failing rank's message as a UserError on every rank, so that all of them stop together.
-    void fail_together(const std::optional<std::string>& problem) const;
+    /// Throws the lowest failing rank's problem as a UserError on every rank, so that all of them stop together.
+    void fail_together(const std::optional<Problem>& problem) const;
 
 private:
     double reduce(double value, MPI_Op operation) const;
     Vector reduce(const Vector& value, MPI_Op operation) const;
+    /// `words` becomes on every rank what it is on rank `from`.
+    void spread(std::string& words, int from) const;
 
     MPI_Comm comm_;
     int rank_ = 0;

@@ -160,8 +160,8 @@ void CoupledRun::step()
             with_foam_errors([&] { coupling_->advance(planned.duration, planned.substeps); });
         } catch (const UserError& error) {
             // OpenFOAM chokes on numbers that are not finite before the step gets to its own check
-            throw UserError(gas_->trouble().value_or(error.what()) + "\n  when:   in the gas step from t = " +
-                            text(start) + " s to " + text(case_.time()) + " s");
+            throw UserError(at_time(gas_->trouble().value_or(error.problem()),
+                                    "in the gas step from t = " + text(start) + " s to " + text(case_.time()) + " s"));
         }
     } else {
         stopwatch_.switch_to(Phase::solids);

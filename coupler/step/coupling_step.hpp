@@ -96,7 +96,7 @@ private:
     void pack_for_two_way(const ParticleView& particles, std::size_t i, double* record) const;
     void refuse_particles_outside(const ParticleView& particles) const;
     void refuse_loss(const ParticleView& particles, long lost) const;
-    std::optional<std::string> trouble(const ParticleView& particles) const;
+    std::optional<Problem> trouble(const ParticleView& particles) const;
 
     Communicator comm_;
     const Settings& settings_;

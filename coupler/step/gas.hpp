@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "base/problem.hpp"
 #include "exchange/cell_locator.hpp"
 #include "mapping/mesh_view.hpp"
 
@@ -73,7 +74,7 @@ public:
     virtual Scalars stretching(const Scalars& flow) const = 0;
 
     /// What is wrong with the fields of this rank, if anything (a value that is not finite: field, cell, place).
-    virtual std::optional<std::string> trouble() const = 0;
+    virtual std::optional<Problem> trouble() const = 0;
 };
 
 }  // namespace interphase

@@ -28,7 +28,7 @@ public:
     /// Green-Gauss with values linear between the centres: OpenFOAM's `Gauss linear`.
     Scalars gradient(const Scalars& of_cells) const override;
     Scalars stretching(const Scalars& flow) const override;
-    std::optional<std::string> trouble() const override { return trouble_; }
+    std::optional<Problem> trouble() const override { return trouble_; }
 
     /// Everywhere [m/s].
     void set_velocity(const Vector& u);
@@ -41,7 +41,7 @@ public:
     void hold_velocity() { held_ = true; }
     void set_body_force(const Vector& per_volume) { body_force_ = per_volume; }   ///< [N/m3]
     void set_pressure_gradient(const Vector& gradient) { gradient_ = gradient; }  ///< [Pa/m]
-    void set_trouble(const std::string& problem) { trouble_ = problem; }
+    void set_trouble(const Problem& problem) { trouble_ = problem; }
 
     Vector momentum() const;  ///< of all ranks [kg m/s]. Collective.
     double mass() const;      ///< Collective.
@@ -57,7 +57,7 @@ private:
     Scalars voidage_;
     Vector body_force_ = Vector::Zero();
     Vector gradient_ = Vector::Zero();
-    std::optional<std::string> trouble_;
+    std::optional<Problem> trouble_;
 };
 
 }  // namespace interphase::test

@@ -25,7 +25,7 @@ public:
     Scalars pressure_gradient() const override;
     Scalars gradient(const Scalars& of_cells) const override;
     Scalars stretching(const Scalars& flow) const override;
-    std::optional<std::string> trouble() const override;
+    std::optional<Problem> trouble() const override;
     double pressure_at(const Vector& point) const override;
     double total_volume() const override;
     Box bounds() const override;
