@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/vector.hpp"
+#include "mapping/mapping_type.hpp"
 
 namespace interphase {
 
@@ -13,7 +14,6 @@ namespace interphase {
 /// stress of the solids on the gas mesh (mp_pic), or whatever a user's own plug-in does (plugin).
 enum class Method { dem, cgpm, tdhs, cghs, mp_pic, plugin };
 enum class GasModel { pimple, frozen, none };
-enum class MappingType { kernel, cell_centre };
 enum class OutsideMesh { stop, ignore };
 
 /// What system/couplingDict asks for. Lengths in m, times in s, pressures in Pa.
