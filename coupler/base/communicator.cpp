@@ -54,17 +54,23 @@ Scalars Communicator::all_gather(const Scalars& mine) const
     return all;
 }
 
-void Communicator::fail_together(const std::optional<std::string>& problem) const
+void Communicator::spread(std::string& words, int from) const
+{
+    int length = static_cast<int>(words.size());
+    MPI_Bcast(&length, 1, MPI_INT, from, comm_);
+    words.resize(static_cast<std::size_t>(length));
+    MPI_Bcast(words.data(), length, MPI_CHAR, from, comm_);
+}
+
+void Communicator::fail_together(const std::optional<Problem>& problem) const
 {
     int lowest = problem ? rank_ : size_;
     MPI_Allreduce(MPI_IN_PLACE, &lowest, 1, MPI_INT, MPI_MIN, comm_);
     if (lowest == size_) return;
-    std::string message = problem.value_or("");
-    int length = static_cast<int>(message.size());
-    MPI_Bcast(&length, 1, MPI_INT, lowest, comm_);
-    message.resize(static_cast<std::size_t>(length));
-    MPI_Bcast(message.data(), length, MPI_CHAR, lowest, comm_);
-    throw UserError(message);
+    Problem told = problem.value_or(Problem{});
+    for (std::string* words : {&told.what, &told.where, &told.remedy, &told.when})
+        spread(*words, lowest);
+    throw UserError(told);
 }
 
 }  // namespace interphase

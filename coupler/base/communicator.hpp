@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/numbers.hpp"
+#include "base/problem.hpp"
 #include "base/vector.hpp"
 
 namespace interphase {
@@ -59,13 +60,15 @@ public:
         return all;
     }
 
-    /// Throws the lowest failing rank's message as a UserError on every rank, so that all of them stop together.
-    void fail_together(const std::optional<std::string>& problem) const;
+    /// Throws the lowest failing rank's problem as a UserError on every rank, so that all of them stop together.
+    void fail_together(const std::optional<Problem>& problem) const;
 
 private:
     void combine(double* values, std::size_t count, MPI_Op operation) const;
     double reduce(double value, MPI_Op operation) const;
     Vector reduce(const Vector& value, MPI_Op operation) const;
+    /// `words` becomes on every rank what it is on rank `from`.
+    void spread(std::string& words, int from) const;
 
     MPI_Comm comm_;
     int rank_ = 0;

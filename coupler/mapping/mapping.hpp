@@ -2,8 +2,8 @@
 #pragma once
 
 #include "mapping/cell_weights.hpp"
+#include "mapping/mapping_type.hpp"
 #include "mapping/packing_limit.hpp"
-#include "settings/settings.hpp"
 
 namespace interphase {
 

@@ -56,16 +56,16 @@ void PackingLimit::relieve(Scalars& solid_volume)
         apply(pass, solid_volume);
     }
 
-    std::optional<std::string> problem;
+    std::optional<Problem> problem;
     for (std::size_t c = 0; c < cells_.own_count() && !problem; ++c) {
         const double packing = solid_volume[c] / cells_.volume(c);
         if (packing > limit_ + slack)
-            problem =
-                "the solid fraction (voidage field) is " + text(packing) + " in cell " + std::to_string(c) +
-                " of rank " + std::to_string(comm_.rank()) + ", above the limit of " + text(limit_) +
-                ", and no neighbour has room\n  where:  at " + text(cells_.centre(c)) +
-                "\n  remedy: check for overlapping particles there (a solid step too large, a stiffness too low), or "
-                "raise mapping/maximumPacking in system/couplingDict";
+            problem = Problem{"the solid fraction (voidage field) is " + text(packing) + " in cell " +
+                                  std::to_string(c) + " of rank " + std::to_string(comm_.rank()) +
+                                  ", above the limit of " + text(limit_) + ", and no neighbour has room",
+                              "at " + text(cells_.centre(c)),
+                              "check for overlapping particles there (a solid step too large, a stiffness too low), or "
+                              "raise mapping/maximumPacking in system/couplingDict"};
     }
     comm_.fail_together(problem);
 }

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "base/text.hpp"
 #include "base/user_error.hpp"
+#include "settings/read_settings.hpp"
 
 namespace interphase {
 
@@ -56,7 +58,9 @@ ParticleRows rows_of(const ParticleView& particles)
 }  // namespace
 
 CoupledRun::CoupledRun(int& argc, char**& argv)
-    : case_(argc, argv), settings_(case_.read_settings()), report_(comm_.is_master(), case_.time(), case_.end_time())
+    : case_(argc, argv),
+      settings_(read_settings(case_.coupling_dict(), case_.scene_parameters(), std::filesystem::current_path())),
+      report_(comm_.is_master(), case_.time(), case_.end_time())
 {
     if (settings_.gas != GasModel::none) gas_ = case_.make_gas(settings_);
     solids_ = std::make_unique<LiggghtsSolids>(comm_, settings_);
@@ -160,8 +164,8 @@ void CoupledRun::step()
             with_foam_errors([&] { coupling_->advance(planned.duration, planned.substeps); });
         } catch (const UserError& error) {
             // OpenFOAM chokes on numbers that are not finite before the step gets to its own check
-            throw UserError(gas_->trouble().value_or(error.what()) + "\n  when:   in the gas step from t = " +
-                            text(start) + " s to " + text(case_.time()) + " s");
+            throw UserError(at_time(gas_->trouble().value_or(error.problem()),
+                                    "in the gas step from t = " + text(start) + " s to " + text(case_.time()) + " s"));
         }
     } else {
         stopwatch_.switch_to(Phase::solids);

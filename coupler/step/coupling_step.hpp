@@ -94,7 +94,7 @@ private:
     void take_home(const ParticleView& particles, std::size_t i, const Answer& answer, double added_mass, double dt);
     void refuse_particles_outside(const ParticleView& particles) const;
     void refuse_loss(const ParticleView& particles, long lost) const;
-    std::optional<std::string> trouble(const ParticleView& particles) const;
+    std::optional<Problem> trouble(const ParticleView& particles) const;
 
     Communicator comm_;
     const Settings& settings_;

@@ -128,24 +128,24 @@ StepState CouplingStep::state_of_step(double dt)
 void CouplingStep::watch(double dt)
 {
     const Finding finding = watch_.observe(state_of_step(dt));
-    if (finding.stability == Stability::hopeless) throw UserError(finding.message);
-    news_ = finding.message;
+    if (finding.stability == Stability::hopeless) throw UserError(*finding.problem);
+    news_ = finding.message();
 }
 
 void CouplingStep::refuse_impossible_flight() const
 {
     const ParticleView particles = solids_.particles();
-    std::optional<std::string> problem = gas_.trouble();
+    std::optional<Problem> problem = gas_.trouble();
     for (std::size_t i = 0; i < particles.size() && !problem; ++i) {
         const auto column = static_cast<Eigen::Index>(i);
         const Vector v = Vector(particles.velocity.col(column)) + to_vector(particles.coupling[i].free_change);
         if (v.norm() * solid_step_ < widest_) continue;
-        problem = "the gas would make particle " + std::to_string(particles.id[i]) + " (rank " +
-                  std::to_string(comm_.rank()) + ") as fast as " + text(v.norm()) +
-                  " m/s, so that it crosses the whole mesh in one solid step\n  where:  at " +
-                  text(Vector(particles.position.col(column))) +
-                  "\n  remedy: the run diverges: reduce deltaT (or maxCo) in system/controlDict; look at the last "
-                  "written fields";
+        problem = Problem{
+            "the gas would make particle " + std::to_string(particles.id[i]) + " (rank " +
+                std::to_string(comm_.rank()) + ") as fast as " + text(v.norm()) +
+                " m/s, so that it crosses the whole mesh in one solid step",
+            "at " + text(Vector(particles.position.col(column))),
+            "the run diverges: reduce deltaT (or maxCo) in system/controlDict; look at the last written fields"};
     }
     comm_.fail_together(problem);
 }

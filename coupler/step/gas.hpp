@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "base/problem.hpp"
 #include "exchange/cell_locator.hpp"
 #include "mapping/mesh_view.hpp"
 
@@ -90,7 +91,7 @@ public:
     virtual Scalars stretching(const Scalars& flow) const = 0;
 
     /// What is wrong with the fields of this rank, if anything (a value that is not finite: field, cell, place).
-    virtual std::optional<std::string> trouble() const = 0;
+    virtual std::optional<Problem> trouble() const = 0;
 };
 
 }  // namespace interphase

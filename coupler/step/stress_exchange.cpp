@@ -74,14 +74,15 @@ void StressExchange::look_for_overpacked_cells(const Scalars& solid_volume)
     cells_overpacked_ += beyond;
     if (started_) return;
     started_ = true;
-    std::optional<std::string> problem;
+    std::optional<Problem> problem;
     if (beyond > 0 && model_.refuses_overfilled_start())
-        problem = "the particles fill " + std::to_string(beyond) + " gas cells (rank " + std::to_string(comm_.rank()) +
-                  ") beyond close packing at the start: a solid fraction of " + text(highest) + ", where " +
-                  text(model_.close_packing()) + " is the limit\n  where:  in the cell at " +
-                  text(mesh.centre[fullest]) +
-                  "\n  remedy: start from a looser packing, make the parcels lighter (weight) or the cells larger, or "
-                  "give the fix `overfilled count` to let the stress spread them";
+        problem =
+            Problem{"the particles fill " + std::to_string(beyond) + " gas cells (rank " +
+                        std::to_string(comm_.rank()) + ") beyond close packing at the start: a solid fraction of " +
+                        text(highest) + ", where " + text(model_.close_packing()) + " is the limit",
+                    "in the cell at " + text(mesh.centre[fullest]),
+                    "start from a looser packing, make the parcels lighter (weight) or the cells larger, or "
+                    "give the fix `overfilled count` to let the stress spread them"};
     comm_.fail_together(problem);
 }
 
@@ -113,7 +114,7 @@ StepTooLong StressExchange::begin(const std::vector<Answer>& answers, const std:
     }
     const StepTooLong found = model_.begin(gas_step);
     const char* complaint = model_.complaint();
-    comm_.fail_together(complaint ? std::optional<std::string>(complaint) : std::nullopt);
+    comm_.fail_together(complaint ? std::optional(Problem{complaint, "", ""}) : std::nullopt);
     return found;
 }
 

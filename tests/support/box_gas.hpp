@@ -30,7 +30,7 @@ public:
     /// Green-Gauss with values linear between the centres: OpenFOAM's `Gauss linear`.
     Scalars gradient(const Scalars& of_cells) const override;
     Scalars stretching(const Scalars& flow) const override;
-    std::optional<std::string> trouble() const override { return trouble_; }
+    std::optional<Problem> trouble() const override { return trouble_; }
 
     /// Everywhere [m/s].
     void set_velocity(const Vector& u);
@@ -52,7 +52,7 @@ public:
         density_ = density;
         viscosity_ = viscosity;
     }
-    void set_trouble(const std::string& problem) { trouble_ = problem; }
+    void set_trouble(const Problem& problem) { trouble_ = problem; }
 
     Vector momentum() const;  ///< of all ranks [kg m/s]. Collective.
     double mass() const;      ///< Collective.
@@ -70,7 +70,7 @@ private:
     Scalars velocity_gradient_, viscous_force_;
     Vector body_force_ = Vector::Zero();
     Vector gradient_ = Vector::Zero();
-    std::optional<std::string> trouble_;
+    std::optional<Problem> trouble_;
 };
 
 }  // namespace interphase::test

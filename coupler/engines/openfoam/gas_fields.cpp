@@ -161,15 +161,16 @@ Scalars GasFields::stretching(const Scalars& flow) const
     return numbers;
 }
 
-std::optional<std::string> GasFields::trouble() const
+std::optional<Problem> GasFields::trouble() const
 {
     forAll(U_, c)
     {
         if (std::isfinite(magSqr(U_[c])) && std::isfinite(p_rgh_[c])) continue;
-        return "the gas field " + std::string(std::isfinite(p_rgh_[c]) ? "U" : "p_rgh") + " is not finite in cell " +
-               std::to_string(c) + " of rank " + std::to_string(UPstream::myProcNo()) + "\n  where:  at " +
-               text(part_.view().centre[static_cast<std::size_t>(c)]) +
-               "\n  remedy: reduce deltaT (or maxCo) in system/controlDict; look at the last written fields";
+        return Problem{"the gas field " + std::string(std::isfinite(p_rgh_[c]) ? "U" : "p_rgh") +
+                           " is not finite in cell " + std::to_string(c) + " of rank " +
+                           std::to_string(UPstream::myProcNo()),
+                       "at " + text(part_.view().centre[static_cast<std::size_t>(c)]),
+                       "reduce deltaT (or maxCo) in system/controlDict; look at the last written fields"};
     }
     return std::nullopt;
 }

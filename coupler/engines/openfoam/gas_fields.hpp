@@ -27,7 +27,7 @@ public:
     Scalars viscous_force() const override;
     Scalars gradient(const Scalars& of_cells) const override;
     Scalars stretching(const Scalars& flow) const override;
-    std::optional<std::string> trouble() const override;
+    std::optional<Problem> trouble() const override;
     double pressure_at(const Vector& point) const override;
     double total_volume() const override;
     Box bounds() const override;
