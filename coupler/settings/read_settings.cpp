@@ -3,6 +3,7 @@
 
 #include "base/text.hpp"
 #include "forces/drag/drag_law.hpp"
+#include "forces/terms.hpp"
 #include "settings/reader.hpp"
 
 namespace interphase {
@@ -149,6 +150,8 @@ void read_all(Reader& dict, Settings& settings, const std::filesystem::path& fol
                         [&](Reader& block) { read_particles(block, settings, folder); });
     dict.block({"gas", "what is solved of the gas"}, [&](Reader& block) { read_gas(block, settings); });
     dict.block({"drag", "the drag of the particles"}, [&](Reader& block) { read_drag(block, settings); });
+    dict.names({"forces", "interphase terms beside drag and the pressure gradient"}, settings.forces,
+               names_of_optional_terms());
     dict.block({"mapping", "between particles and gas cells"}, [&](Reader& block) { read_mapping(block, settings); });
     dict.choice(
         {"outsideMesh",
