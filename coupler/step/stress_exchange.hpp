@@ -8,7 +8,7 @@
 #include "base/communicator.hpp"
 #include "mapping/mapping.hpp"
 #include "step/gas.hpp"
-#include "step/solid_stress.hpp"
+#include "plugin/solid_stress.hpp"
 
 namespace interphase {
 

@@ -10,7 +10,7 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "engines/liggghts/plugin.hpp"
+#include "plugin/plugin.hpp"
 #include "error.h"
 #include "fix_gravity.h"
 #include "hard_sphere/fix_wall_tdhs.hpp"

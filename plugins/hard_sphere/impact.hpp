@@ -46,8 +46,8 @@ INTERPHASE_INLINE D relieving_speed(const D& gap, const Divisor<D>& step, const 
     return smaller(zero, step.part(D(gap + limits.tolerated), D(zero + limits.relief)));
 }
 
-/// Bodies touch within the step if they approach each other faster than this [m/s]. `speed`: of their approach, below
-/// 0, along the normal at the encounter. Of spheres that do not meet, the contact is linearised about the point where
+/// Bodies touch within the step if they approach each other faster than this [m/s]. `speed`: along the normal at the
+/// encounter, below 0: towards each other. Of spheres that do not meet, the contact is linearised about the point where
 /// they are nearest.
 template <class D>
 INTERPHASE_INLINE D closing_speed(const Encounter<D>& met, const D& touching, const D& speed, const Divisor<D>& step,

@@ -10,7 +10,7 @@
 
 #include "atom.h"
 #include "base/text.hpp"
-#include "engines/liggghts/plugin.hpp"
+#include "plugin/plugin.hpp"
 #include "error.h"
 #include "modify.h"
 #include "mp_pic/fix_wall_mp_pic.hpp"

@@ -10,7 +10,7 @@
 #include "fix.h"
 #include "mp_pic/stress_law.hpp"
 #include "mp_pic/wall_bounce.hpp"
-#include "step/solid_stress.hpp"
+#include "plugin/solid_stress.hpp"
 
 namespace interphase::mp_pic {
 
