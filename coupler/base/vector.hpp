@@ -14,6 +14,22 @@ using Vectors = std::vector<Vector>;
 using VectorsView = Eigen::Map<const Eigen::Matrix3Xd>;
 using ScalarsView = Eigen::Map<const Eigen::VectorXd>;
 
+/// Three numbers as records and engines keep them, and back.
+inline Vector to_vector(const double* numbers) { return {numbers[0], numbers[1], numbers[2]}; }
+
+template <class Number>
+Vector to_vector(const Number (&numbers)[3])
+{
+    return {numbers[0], numbers[1], numbers[2]};
+}
+
+template <class Number>
+void set(Number (&numbers)[3], const Vector& value)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        numbers[axis] = static_cast<Number>(value[axis]);
+}
+
 /// An axis-aligned box [m]; empty until a point was added.
 using Box = Eigen::Matrix<double, 3, 2>;
 
@@ -39,6 +55,14 @@ inline bool contains(const Box& box, const Vector& point)
 inline bool overlap(const Box& a, const Box& b)
 {
     return (a.col(0).array() <= b.col(1).array()).all() && (b.col(0).array() <= a.col(1).array()).all();
+}
+
+/// set() where the three are known by the first, as in the engines' arrays.
+inline void set(double* numbers, const Vector& value)
+{
+    numbers[0] = value[0];
+    numbers[1] = value[1];
+    numbers[2] = value[2];
 }
 
 }  // namespace interphase

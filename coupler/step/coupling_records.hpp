@@ -39,8 +39,6 @@ constexpr std::size_t demand_record = 10;
 constexpr std::size_t seen_record = 4;
 constexpr std::size_t seen_in_long_steps = 9;
 
-inline Vector to_vector(const double* v) { return {v[0], v[1], v[2]}; }
-
 inline Vector vector_at(const Scalars& flat, std::size_t start) { return to_vector(&flat[start]); }
 
 inline void put(double* start, const Vector& v) { std::copy_n(v.data(), 3, start); }

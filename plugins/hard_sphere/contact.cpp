@@ -26,8 +26,8 @@ Contact contact_of_spheres(const Bodies& bodies, const Pair& pair, const Materia
 {
     const auto a = static_cast<std::size_t>(pair.i), b = static_cast<std::size_t>(pair.j);
     const Path &path_a = bodies.path[a], &path_b = bodies.path[b];
-    const Vector apart = vector(path_b.place.centre) - vector(path_a.place.centre);
-    const Vector meeting = vector(path_b.velocity) - vector(path_a.velocity);
+    const Vector apart = to_vector(path_b.place.centre) - to_vector(path_a.place.centre);
+    const Vector meeting = to_vector(path_b.velocity) - to_vector(path_a.velocity);
     const double touching = path_a.place.radius + path_b.place.radius;
     const Encounter<double> met = encounter(apart, meeting, touching, limits.step);
     const Vector normal = met.apart / met.distance;
@@ -35,7 +35,7 @@ Contact contact_of_spheres(const Bodies& bodies, const Pair& pair, const Materia
     const ContactLaw& law = materials.between(bodies.label[a].type, bodies.label[b].type);
     Contact contact{pair.i, pair.j, normal, met.gap, closing, pair.touch == 1, false, met.time, 0, &law, 0};
     if (met.touch > 0)
-        judge_impact(contact, meeting, vector(bodies.push[b].change) - vector(bodies.push[a].change), limits);
+        judge_impact(contact, meeting, to_vector(bodies.push[b].change) - to_vector(bodies.push[a].change), limits);
     return contact;
 }
 

@@ -55,7 +55,8 @@ public:
     double compute_vector(int k) override;
 
 private:
-    enum class Message { start, counts, changes, shift };
+    /// Of messages.hpp, the one that LIGGGHTS is asked to pass on.
+    enum class Message { start, counts, motion, shift };
 
     void read_arguments(int narg, char** arg);
     void refuse_company();
@@ -114,8 +115,8 @@ private:
     double reach_ = 0;  ///< gap up to which pairs are looked for [m]
     double smallest_radius_ = 0, largest_radius_ = 0;
 
-    std::vector<double> push_;   ///< [atoms x 3]
-    std::vector<double> shift_;  ///< not yet in the positions [atoms x 3, m]
+    Scalars push_;   ///< [atoms x 3]
+    Scalars shift_;  ///< not yet in the positions [atoms x 3, m]
     ImpulseMemory memory_;
 
     Bodies bodies_;
