@@ -45,10 +45,14 @@ FixTdhs::FixTdhs(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, 
     comm_forward = most_forward;
     comm_reverse = most_reverse;
     vector_flag = 1;
-    size_vector = 9;
+    size_vector = static_cast<int>(shown_values().size());
     global_freq = 1;
     extvector = 0;
     read_arguments(narg, arg);
+    std::vector<std::string> names;
+    for (const ShownValue& value : shown_values())
+        names.emplace_back(value.name);
+    script::name_values(*lmp, *this, names);
     grow_arrays(atom->nmax);
     atom->add_callback(grow_callback);
 }
@@ -331,20 +335,22 @@ double FixTdhs::shared_max(double value) const
     return result;
 }
 
-double FixTdhs::compute_vector(int k)
+const std::vector<FixTdhs::ShownValue>& FixTdhs::shown_values()
 {
-    switch (k) {
-        case 0:
-            return static_cast<double>(pairs_.end() - pairs_.begin());
-        case 1:
-            return static_cast<double>(solver_.binary_collisions());
-        case 2:
-            return static_cast<double>(solver_.cluster_contacts());
-        case 3:
-            return static_cast<double>(shortened_);
-        default:
-            return cost_.seconds(static_cast<Part>(k - 3));
-    }
+    static const std::vector<ShownValue> values{
+        {"pairs", [](const FixTdhs& fix) { return static_cast<double>(fix.pairs_.end() - fix.pairs_.begin()); }},
+        {"binary_collisions", [](const FixTdhs& fix) { return static_cast<double>(fix.solver_.binary_collisions()); }},
+        {"cluster_contacts", [](const FixTdhs& fix) { return static_cast<double>(fix.solver_.cluster_contacts()); }},
+        {"shortened_steps", [](const FixTdhs& fix) { return static_cast<double>(fix.shortened_); }},
+        {"search", [](const FixTdhs& fix) { return fix.cost_.seconds(Part::search); }},
+        {"walls", [](const FixTdhs& fix) { return fix.cost_.seconds(Part::walls); }},
+        {"contacts", [](const FixTdhs& fix) { return fix.cost_.seconds(Part::contacts); }},
+        {"integration", [](const FixTdhs& fix) { return fix.cost_.seconds(Part::integration); }},
+        {"communication", [](const FixTdhs& fix) { return fix.cost_.seconds(Part::communication); }},
+    };
+    return values;
 }
+
+double FixTdhs::compute_vector(int k) { return shown_values()[at(k)].of(*this); }
 
 }  // namespace interphase::hard_sphere

@@ -51,10 +51,16 @@ public:
     int pack_reverse_comm(int n, int first, double* buffer) override;
     void unpack_reverse_comm(int n, int* list, double* buffer) override;
 
-    /// What `thermo_style custom f_ID[k]` shows; see the README.
+    /// What `thermo_style custom v_ID_NAME` or f_ID[k] shows; see the README.
     double compute_vector(int k) override;
 
 private:
+    struct ShownValue {
+        const char* name;
+        double (*of)(const FixTdhs&);
+    };
+    static const std::vector<ShownValue>& shown_values();
+
     /// Of messages.hpp, the one that LIGGGHTS is asked to pass on.
     enum class Message { start, counts, motion, shift };
 

@@ -27,6 +27,8 @@ constexpr int grow_callback = 0;
 
 /// Places in the sums.
 enum Sum { by_stress = 0, by_walls = 3, bounces = 6, pushed = 7 };
+const std::vector<std::string> sum_names{"stress_x", "stress_y", "stress_z", "walls_x",
+                                         "walls_y",  "walls_z",  "bounces",  "pushed"};
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -42,6 +44,7 @@ FixMpPic::FixMpPic(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg
     global_freq = 1;
     extvector = 1;
     read_arguments(narg, arg);
+    script::name_values(*lmp, *this, sum_names);
     grow_arrays(atom->nmax);
     atom->add_callback(grow_callback);
 }
