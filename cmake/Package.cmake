@@ -1,22 +1,40 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What find_package(interphase) finds, in an installation and in this build folder.
+# What plug-ins are built with, in this tree and outside, and what find_package(interphase) finds, in an installation and in this
+# build folder.
 include(CMakePackageConfigHelpers)
 
-# <interphase/plugin.hpp>, which includes "step/solid_stress.hpp"
-set(_headers "${PROJECT_BINARY_DIR}/include")
-configure_file("${PROJECT_SOURCE_DIR}/coupler/engines/liggghts/plugin.hpp" "${_headers}/interphase/plugin.hpp" COPYONLY)
-configure_file("${PROJECT_SOURCE_DIR}/coupler/step/solid_stress.hpp" "${_headers}/interphase/step/solid_stress.hpp" COPYONLY)
+# The headers of a plug-in: <interphase/plugin.hpp>; and what that and plug-ins of this tree include by "plugin/..." and "base/...".
+# Links, so that whoever sees the coupler's folder, too, sees one file and not two.
+set(_root "${PROJECT_BINARY_DIR}/include/interphase")
+set(_headers plugin/plugin.hpp plugin/solid_stress.hpp plugin/fingerprint.hpp base/vector.hpp base/text.hpp base/problem.hpp)
+foreach(_header IN LISTS _headers)
+    get_filename_component(_folder "${_header}" DIRECTORY)
+    file(MAKE_DIRECTORY "${_root}/${_folder}")
+    file(CREATE_LINK "${PROJECT_SOURCE_DIR}/coupler/${_header}" "${_root}/${_header}" SYMBOLIC)
+    install(FILES "${PROJECT_SOURCE_DIR}/coupler/${_header}" DESTINATION "include/interphase/${_folder}")
+endforeach()
+file(CONFIGURE OUTPUT "${_root}/plugin.hpp" CONTENT
+    "// SPDX-License-Identifier: GPL-3.0-or-later\n#pragma once\n\n#include \"plugin/plugin.hpp\"\n")
+install(FILES "${_root}/plugin.hpp" DESTINATION include/interphase)
+
+# What base/*.hpp of them declare; knows no engine.
+add_library(interphase_base STATIC "${PROJECT_SOURCE_DIR}/coupler/base/text.cpp")
+add_library(interphase::base ALIAS interphase_base)
+set_target_properties(interphase_base PROPERTIES EXPORT_NAME base)
+target_compile_features(interphase_base PUBLIC cxx_std_17)
+target_include_directories(interphase_base PUBLIC "$<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include;${_root}>"
+    "$<INSTALL_INTERFACE:include;include/interphase>")
+target_link_libraries(interphase_base PUBLIC Eigen3::Eigen)
+target_compile_options(interphase_base PRIVATE "$<TARGET_PROPERTY:interphase_options,INTERFACE_COMPILE_OPTIONS>")
+add_dependencies(programs interphase_base)
+
 add_library(interphase_plugin INTERFACE)
 add_library(interphase::plugin ALIAS interphase_plugin)
 set_target_properties(interphase_plugin PROPERTIES EXPORT_NAME plugin)
-target_compile_features(interphase_plugin INTERFACE cxx_std_17)
-target_include_directories(interphase_plugin INTERFACE
-    "$<BUILD_INTERFACE:${_headers}>" "$<INSTALL_INTERFACE:include>")
-target_link_libraries(interphase_plugin INTERFACE LIGGGHTS::liggghts)
+target_link_libraries(interphase_plugin INTERFACE interphase_base LIGGGHTS::liggghts)
 
-install(FILES "${_headers}/interphase/plugin.hpp" DESTINATION include/interphase)
-install(FILES "${_headers}/interphase/step/solid_stress.hpp" DESTINATION include/interphase/step)
-install(TARGETS interphase_plugin interphase interphase-liggghts EXPORT interphaseTargets RUNTIME DESTINATION bin)
+install(TARGETS interphase_base interphase_plugin interphase interphase-liggghts EXPORT interphaseTargets
+    RUNTIME DESTINATION bin ARCHIVE DESTINATION lib/interphase)
 
 set(_package_files
     "${PROJECT_SOURCE_DIR}/cmake/interphaseConfig.cmake"
@@ -26,13 +44,13 @@ foreach(_file IN LISTS _package_files)
     configure_file("${_file}" "${PROJECT_BINARY_DIR}" COPYONLY)
 endforeach()
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/interphaseConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
-set(_root "${LIGGGHTS_ROOT}")
-if(NOT _root)
-    set(_root "$ENV{LIGGGHTS_ROOT}")
+set(_liggghts "${LIGGGHTS_ROOT}")
+if(NOT _liggghts)
+    set(_liggghts "$ENV{LIGGGHTS_ROOT}")
 endif()
 file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/interphaseLIGGGHTS.cmake" @ONLY CONTENT [[
 if(NOT LIGGGHTS_ROOT)
-    set(LIGGGHTS_ROOT "@_root@")
+    set(LIGGGHTS_ROOT "@_liggghts@")
 endif()
 ]])
 

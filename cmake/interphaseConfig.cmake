@@ -2,14 +2,16 @@
 #[[
 find_package(interphase), for plug-ins outside its tree: from an installation (CMAKE_PREFIX_PATH) or a build folder
 (-Dinterphase_DIR=<interphase>/build/release). Makes interphase_add_plugin (InterphasePlugin.cmake), the programs
-interphase::interphase and interphase::interphase-liggghts, and interphase::plugin: the header <interphase/plugin.hpp> and the
-LIGGGHTS and MPI that it needs.
+interphase::interphase and interphase::interphase-liggghts, and interphase::plugin: the header <interphase/plugin.hpp>, what of the
+coupler's folder base the plug-ins of interphase's own tree use (<interphase/base/text.hpp>, <interphase/base/vector.hpp>), and the
+LIGGGHTS, MPI and Eigen that these need.
 ]]
 include(CMakeFindDependencyMacro)
 set(THREADS_PREFER_PTHREAD_FLAG ON)
 find_dependency(Threads)
 set(MPI_CXX_SKIP_MPICXX TRUE)
 find_dependency(MPI COMPONENTS CXX)
+find_dependency(Eigen3 3.4 NO_MODULE)
 
 # The LIGGGHTS that interphase is built with, unless the project says otherwise.
 include("${CMAKE_CURRENT_LIST_DIR}/interphaseLIGGGHTS.cmake")

@@ -66,4 +66,12 @@ inline bool overlap(const Box& a, const Box& b)
     return (a.col(0).array() <= b.col(1).array()).all() && (b.col(0).array() <= a.col(1).array()).all();
 }
 
+/// set() where the three are known by the first, as in the engines' arrays.
+inline void set(double* numbers, const Vector& value)
+{
+    numbers[0] = value[0];
+    numbers[1] = value[1];
+    numbers[2] = value[2];
+}
+
 }  // namespace interphase

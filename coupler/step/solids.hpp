@@ -5,7 +5,7 @@
 #include "momentum/fluid_force.hpp"
 #include "momentum/particle_coupling.hpp"
 #include "step/particle_weights.hpp"
-#include "step/solid_stress.hpp"
+#include "plugin/solid_stress.hpp"
 
 namespace interphase {
 

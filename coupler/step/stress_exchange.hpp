@@ -7,9 +7,9 @@
 
 #include "base/communicator.hpp"
 #include "mapping/mapping.hpp"
+#include "plugin/solid_stress.hpp"
 #include "step/gas.hpp"
 #include "step/messages.hpp"
-#include "step/solid_stress.hpp"
 
 namespace interphase {
 

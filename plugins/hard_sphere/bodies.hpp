@@ -5,20 +5,12 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/vector.hpp"
 #include "walls/place.hpp"
 
 namespace interphase::hard_sphere {
 
 using walls::Place;
-using walls::vector;
-
-/// Three numbers; std::copy_n would call memmove for them.
-inline void copy_three(const double* from, double* to)
-{
-    to[0] = from[0];
-    to[1] = from[1];
-    to[2] = from[2];
-}
 
 /// What the solver changes of a sphere, one cache line. A body that nothing moves has 0 in both inverses.
 struct alignas(64) Body {

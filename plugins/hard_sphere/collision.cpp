@@ -1,32 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hard_sphere/collision.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
+#include "hard_sphere/impact.hpp"
 
 namespace interphase::hard_sphere {
 
 Vector contact_velocity(const Sphere& a, const Sphere& b, const Vector& normal)
 {
-    return b.velocity - a.velocity - (b.radius * b.spin + a.radius * a.spin).cross(normal);
+    return surface_velocity(a, b, a.radius, b.radius, normal);
 }
 
 Vector contact_impulse(const Sphere& a, const Sphere& b, const Vector& normal, double parting,
                        double tangential_restitution, double friction)
 {
-    const Vector velocity = contact_velocity(a, b, normal);
-    const double apart = velocity.dot(normal);
+    const auto [apart, slip] = in_parts(contact_velocity(a, b, normal), normal);
     if (apart >= parting) return Vector::Zero();
-    const double inverse_mass = a.inverse_mass + b.inverse_mass;
-    const double inverse_tangential =
-        inverse_mass + a.radius * a.radius * a.inverse_inertia + b.radius * b.radius * b.inverse_inertia;
-    const double along_normal = (parting - apart) / inverse_mass;
-
-    const Vector slip = velocity - apart * normal;
-    const double speed = slip.norm();
-    if (speed == 0) return along_normal * normal;
-    const double sticking = (1 + tangential_restitution) * speed / inverse_tangential;
-    return along_normal * normal - std::min(sticking, friction * along_normal) / speed * slip;
+    const InverseMass mass{a.inverse_mass + b.inverse_mass};
+    const InverseMass tangential_mass{mass.value + a.radius * a.radius * a.inverse_inertia +
+                                      b.radius * b.radius * b.inverse_inertia};
+    const double along = normal_impulse(0.0, mass, apart, -parting), speed = slip.norm();
+    const double sticking = tangential_mass * ((1 + tangential_restitution) * speed);
+    return along * normal - within_cone(slip, speed, sticking, friction * along);
 }
 
 Vector collision_impulse(const Sphere& a, const Sphere& b, const Vector& normal, const ContactLaw& law)
@@ -38,11 +32,7 @@ Vector collision_impulse(const Sphere& a, const Sphere& b, const Vector& normal,
 
 void apply_impulse(Sphere& a, Sphere& b, const Vector& normal, const Vector& impulse)
 {
-    const Vector twist = normal.cross(impulse);
-    a.velocity -= a.inverse_mass * impulse;
-    b.velocity += b.inverse_mass * impulse;
-    a.spin -= a.radius * a.inverse_inertia * twist;
-    b.spin -= b.radius * b.inverse_inertia * twist;
+    exchange_impulse(a, b, a.radius, b.radius, normal, impulse);
 }
 
 }  // namespace interphase::hard_sphere

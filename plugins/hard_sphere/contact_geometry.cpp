@@ -8,32 +8,35 @@ namespace interphase::hard_sphere {
 namespace {
 
 constexpr std::size_t ahead = 4;  // batches
-constexpr double tiny = 1e-100;   // no lane may divide by zero: the gas engine may have made that an error
 
 /// What forces added to the relative velocity along the normal.
 template <class D>
-INTERPHASE_INLINE D gained_along(const Push* push, const int* i, const int* j, const Triple<D>& normal)
+INTERPHASE_INLINE D gained_along(const Push* push, const int* i, const int* j, const Three<D>& normal)
 {
     constexpr int width = width_of<D>;
     const auto a = load_rows<float, width>([&](int k) __attribute__((always_inline)) { return push[i[k]].change; });
     const auto b = load_rows<float, width>([&](int k) __attribute__((always_inline)) { return push[j[k]].change; });
     const auto gained = [&](int axis) __attribute__((always_inline))
     {
-        return __builtin_convertvector(b.r[axis] - a.r[axis], D);
+        if constexpr (width == 1)
+            return static_cast<double>(b.r[axis] - a.r[axis]);
+        else
+            return __builtin_convertvector(b.r[axis] - a.r[axis], D);
     };
-    return dot({gained(0), gained(1), gained(2)}, normal);
+    return dot(Three<D>{gained(0), gained(1), gained(2)}, normal);
 }
 
 template <class D>
 INTERPHASE_INLINE void start(Body* bodies, ContactBatch& batch, int first, Side<D>& a, Side<D>& b,
-                             const Triple<D>& normal)
+                             const Three<D>& normal)
 {
-    const Triple<D> last = wide<width_of<D>>(batch.tangential, first);
+    const Three<D> last = wide<width_of<D>>(batch.tangential, first);
     const D zero{}, along = dot(last, normal), kept = larger(along, zero);
-    const Triple<D> tangential = if_positive(along, last - along * normal, {zero, zero, zero});
+    const Three<D> across = last - along * normal, nothing{zero, zero, zero};
+    const Three<D> tangential = if_positive(along, across, nothing), impulse = tangential + kept * normal;
     store(batch.impulse + first, kept);
     store(batch.tangential, first, tangential);
-    give(bodies, batch, first, a, b, normal, tangential + kept * normal);
+    give(bodies, batch, first, a, b, normal, impulse);
 }
 
 /// The contacts of a batch from `first` on.
@@ -42,7 +45,6 @@ INTERPHASE_INLINE void fill(Bodies& bodies, ContactBatch& batch, BatchNotes& not
                             Overlap*& overlaps)
 {
     using D = Doubles<width>;
-    using Three = Triple<D>;
     const int *i = batch.i + first, *j = batch.j + first;
     const Path* path = bodies.path.data();
     const auto place = [&](const int* index) __attribute__((always_inline))
@@ -54,52 +56,37 @@ INTERPHASE_INLINE void fill(Bodies& bodies, ContactBatch& batch, BatchNotes& not
     {
         const auto v =
             load_rows<double, width>([&](int k) __attribute__((always_inline)) { return path[index[k]].velocity; });
-        return Three{v.r[0], v.r[1], v.r[2]};
+        return Three<D>{v.r[0], v.r[1], v.r[2]};
     };
     const auto at_i = place(i), at_j = place(j);
-    const D radius_i = at_i.r[3], radius_j = at_j.r[3], touching = radius_i + radius_j;
-    const Three apart{at_j.r[0] - at_i.r[0], at_j.r[1] - at_i.r[1], at_j.r[2] - at_i.r[2]};
-    const Three meeting = velocity(j) - velocity(i);
-    const D zero{}, one = zero + 1, step = zero + limits.step;
-    const double per_step = 1 / limits.step;
-    const D squared = dot(apart, apart), gap = square_root(squared) - touching;
-
-    // when they touch, or are nearest
-    const D closing = dot(apart, meeting), beyond = squared - touching * touching;
-    const D speed2 = dot(meeting, meeting), discriminant = closing * closing - speed2 * beyond;
-    const D size = larger(closing, D(-closing)), root = square_root(larger(discriminant, zero));
-    const D when = if_negative(discriminant, size, beyond) / (if_negative(discriminant, speed2, D(root + size)) + tiny);
-    // 1 where they touch, else 0
-    const D reached = if_negative(D(when - step), if_negative(discriminant, zero, one), zero);
-    const D touch = if_negative(closing, if_negative(beyond, one, reached), zero);
-    const D time = if_negative(closing, if_negative(beyond, zero, smaller(step, when)), zero);
-    const Three then = apart + time * meeting;
-    const D distance = square_root(dot(then, then));
+    const D radius_i = at_i.r[3], radius_j = at_j.r[3], touching = radius_i + radius_j, zero{};
+    const Three<D> apart{at_j.r[0] - at_i.r[0], at_j.r[1] - at_i.r[1], at_j.r[2] - at_i.r[2]};
+    const Three<D> meeting = velocity(j) - velocity(i);
+    const Divisor<D> step(limits.step);
+    const Encounter<D> met = encounter(apart, meeting, touching, limits.step);
 
     Side<D> a = load<width>(bodies.body.data(), i), b = load<width>(bodies.body.data(), j);
     const D inverse_mass = a.inverse_mass + b.inverse_mass;
-    const D both = 1 / ((distance + tiny) * (inverse_mass + tiny));  // one division for two
-    const Three normal = D(both * inverse_mass) * then;
+    const D both = 1 / ((met.distance + tiny) * (inverse_mass + tiny));  // one division for two
+    const Three<D> normal = D(both * inverse_mass) * met.apart;
     store(batch.normal, first, normal);
-    store(batch.mass + first, if_positive(inverse_mass, D(both * distance), zero));
+    store(batch.mass + first, if_positive(inverse_mass, D(both * met.distance), zero));
 
-    const D speed = dot(meeting, normal), phase = per_step * time;
-    const D open = per_step * (distance - touching) - if_positive(time, speed, zero);
-    const D relieving = smaller(zero, D(limits.relief * per_step * (gap + limits.tolerated)));
-    store(batch.closing + first, if_negative(gap, relieving, if_positive(touch, D(-speed * phase), open)));
+    const D speed = dot(meeting, normal);
+    store(batch.closing + first, closing_speed(met, touching, speed, step, limits));
 
-    const D gained = gained_along(bodies.push.data(), i, j, normal);
-    const D fast = -(speed + (phase - 0.5) * gained);
-    const D pushed = resting_pushes * larger(gained, D(-gained)), slow = larger(D(zero + limits.resting_speed), pushed);
-    store(batch.bounce + first, D(touch * if_negative(D(slow - fast), wide<width>(batch.bounce + first), zero)));
-    store(notes.touch_time + first, time);
+    const D gained = gained_along<D>(bodies.push.data(), i, j, normal);
+    const Approach<D> fast = approach(met.time, speed, gained, step, limits);
+    const D bounce = if_negative(D(fast.least - fast.speed), wide<width>(batch.bounce + first), zero);
+    store(batch.bounce + first, D(met.touch * bounce));
+    store(notes.touch_time + first, met.time);
 
-    const D shorter = 0.5 * smaller(gap, zero);
+    const D shorter = 0.5 * smaller(met.gap, zero);
     store(batch.arm_i + first, D(radius_i + shorter));
     store(batch.arm_j + first, D(radius_j + shorter));
 
     float gaps[width];
-    store(gaps, gap);
+    store(gaps, met.gap);
     for (int k = 0; k < width; ++k) {
         const int lane = first + k;
         *overlaps = {i[k], j[k], {batch.normal[0][lane], batch.normal[1][lane], batch.normal[2][lane]}, gaps[k]};
@@ -138,15 +125,23 @@ INTERPHASE_CLONES Overlap* by_four(Bodies& bodies, ContactBatch* batches, BatchN
     return fill_all<4>(bodies, batches, notes, count, limits, overlaps);
 }
 
+/// The scalar.
+Overlap* by_one(Bodies& bodies, ContactBatch* batches, BatchNotes* notes, std::size_t count, const StepLimits& limits,
+                Overlap* overlaps)
+{
+    return fill_all<1>(bodies, batches, notes, count, limits, overlaps);
+}
+
 }  // namespace
 
 void make_ready(Bodies& bodies, std::vector<ContactBatch>& batches, std::vector<BatchNotes>& notes, std::size_t count,
-                const StepLimits& limits, std::vector<Overlap>& overlaps)
+                const StepLimits& limits, std::vector<Overlap>& overlaps, int width)
 {
+    if (width == 0) width = best_width();
     const std::size_t before = overlaps.size();
     overlaps.resize(before + lanes * count + 1);  // one is written even where none is
-    Overlap* end = (has_widest() ? by_eight : by_four)(bodies, batches.data(), notes.data(), count, limits,
-                                                       overlaps.data() + before);
+    const auto fill = width == 8 ? by_eight : width == 4 ? by_four : by_one;
+    Overlap* end = fill(bodies, batches.data(), notes.data(), count, limits, overlaps.data() + before);
     overlaps.resize(static_cast<std::size_t>(end - overlaps.data()));
 }
 
@@ -158,7 +153,7 @@ void start_from_memory(std::vector<Body>& bodies, std::vector<ContactBatch>& bat
         for (int first = 0; first < lanes; first += width) {
             ContactBatch& batch = batches[k];
             auto a = load<width>(bodies.data(), batch.i + first), b = load<width>(bodies.data(), batch.j + first);
-            start(bodies.data(), batch, first, a, b, wide<width>(batch.normal, first));
+            start<Doubles<width>>(bodies.data(), batch, first, a, b, wide<width>(batch.normal, first));
         }
 }
 

@@ -29,13 +29,13 @@ std::array<double, 2> arms(const Bodies& bodies, const Contact& contact)
 
 Sphere sphere(const Body& body, double arm)
 {
-    return {vector(body.velocity), vector(body.spin), arm, body.inverse_mass, body.inverse_inertia};
+    return {to_vector(body.velocity), to_vector(body.spin), arm, body.inverse_mass, body.inverse_inertia};
 }
 
-void put(const Sphere& sphere, Body& body)
+void write(const Sphere& sphere, Body& body)
 {
-    copy_three(sphere.velocity.data(), body.velocity);
-    copy_three(sphere.spin.data(), body.spin);
+    set(body.velocity, sphere.velocity);
+    set(body.spin, sphere.spin);
 }
 
 /// What the making of contacts will not set in lanes without one. They name the body that nothing moves.
@@ -53,11 +53,9 @@ void leave_empty(ContactBatch& batch, BatchNotes& notes, int resting_walls)
 
 Overlap overlap_of(const Contact& contact)
 {
-    return {contact.i,
-            contact.j,
-            {static_cast<float>(contact.normal[0]), static_cast<float>(contact.normal[1]),
-             static_cast<float>(contact.normal[2])},
-            static_cast<float>(contact.gap)};
+    Overlap overlap{contact.i, contact.j, {}, static_cast<float>(contact.gap)};
+    set(overlap.normal, contact.normal);
+    return overlap;
 }
 
 }  // namespace
@@ -182,11 +180,11 @@ void ContactSolver::resolve_binary(Bodies& bodies, const Contact& contact)
     apply_impulse(a, b, contact.normal, impulse);
     if (contact.impact && contact.touch_time > 0) {
         // up to the collision the bodies move as they came
-        shift_[i] += contact.touch_time * (vector(bodies.body[i].velocity) - a.velocity);
-        shift_[j] += contact.touch_time * (vector(bodies.body[j].velocity) - b.velocity);
+        shift_[i] += contact.touch_time * (to_vector(bodies.body[i].velocity) - a.velocity);
+        shift_[j] += contact.touch_time * (to_vector(bodies.body[j].velocity) - b.velocity);
     }
-    put(a, bodies.body[i]);
-    put(b, bodies.body[j]);
+    write(a, bodies.body[i]);
+    write(b, bodies.body[j]);
 }
 
 BatchPlace ContactSolver::add(Cluster& cluster, const Bodies& bodies, int i, int j, int key, const ContactLaw& law,
@@ -260,8 +258,8 @@ double ContactSolver::separate(const Bodies& bodies, double share, double tolera
         const Body &a = bodies.body[at(overlap.i)], &b = bodies.body[at(overlap.j)];
         Vector &shift_a = shift_[at(overlap.i)], &shift_b = shift_[at(overlap.j)];
         deepest = std::max(deepest, -overlap.gap);
-        const Vector normal = vector(overlap.normal);
-        const Vector moves = step_ * (vector(b.velocity) - vector(a.velocity)) + shift_b - shift_a;
+        const Vector normal = to_vector(overlap.normal);
+        const Vector moves = step_ * (to_vector(b.velocity) - to_vector(a.velocity)) + shift_b - shift_a;
         const double left = -tolerated - (overlap.gap + moves.dot(normal));
         if (left <= 0) continue;
         const double push = share * left / (a.inverse_mass + b.inverse_mass);

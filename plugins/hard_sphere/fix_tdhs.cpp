@@ -10,14 +10,15 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "engines/liggghts/plugin.hpp"
 #include "error.h"
 #include "fix_gravity.h"
 #include "hard_sphere/fix_wall_tdhs.hpp"
+#include "hard_sphere/messages.hpp"
 #include "hard_sphere/processor.hpp"
 #include "hard_sphere/wall_contacts.hpp"
 #include "modify.h"
 #include "neighbor.h"
+#include "plugin/plugin.hpp"
 #include "script/script.hpp"
 #include "update.h"
 
@@ -41,13 +42,17 @@ FixTdhs::FixTdhs(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, 
     if (!atom->sphere_flag) error->all(FLERR, "Fix tdhs: the particles are no spheres; use atom_style granular");
     time_integrate = 1;
     create_attribute = 1;
-    comm_forward = 9;
-    comm_reverse = 6;
+    comm_forward = most_forward;
+    comm_reverse = most_reverse;
     vector_flag = 1;
-    size_vector = 9;
+    size_vector = static_cast<int>(shown_values().size());
     global_freq = 1;
     extvector = 0;
     read_arguments(narg, arg);
+    std::vector<std::string> names;
+    for (const ShownValue& value : shown_values())
+        names.emplace_back(value.name);
+    script::name_values(*lmp, *this, names);
     grow_arrays(atom->nmax);
     atom->add_callback(grow_callback);
 }
@@ -257,18 +262,17 @@ void FixTdhs::gather(int first, int last)
         const double r = atom->radius[i];
         const bool moves = atom->mask[i] & groupbit;
         Path& path = bodies_.path[at(b)];
-        copy_three(x + 3 * i, path.place.centre);
+        set(path.place.centre, to_vector(x + 3 * i));
         path.place.radius = r;
-        copy_three(v + 3 * i, path.velocity);
+        set(path.velocity, to_vector(v + 3 * i));
         Body& body = bodies_.body[at(b)];
-        copy_three(v + 3 * i, body.velocity);
-        copy_three(omega + 3 * i, body.spin);
+        set(body.velocity, to_vector(v + 3 * i));
+        set(body.spin, to_vector(omega + 3 * i));
         body.inverse_mass = moves ? 1 / atom->rmass[i] : 0;
         body.inverse_inertia = 2.5 * body.inverse_mass / (r * r);
         bodies_.label[at(b)] = {atom->tag[i], static_cast<short>(atom->type[i] - 1), i >= atom->nlocal, !moves,
                                 memory_.first(i)};
-        for (int axis = 0; axis < 3; ++axis)
-            bodies_.push[at(b)].change[axis] = static_cast<float>(push_[at(3 * i + axis)]);
+        set(bodies_.push[at(b)].change, to_vector(&push_[at(3 * i)]));
     }
 }
 
@@ -318,9 +322,9 @@ void FixTdhs::scatter()
         __builtin_prefetch(&bodies_.body[soon]);
         __builtin_prefetch(&solver_.shift()[soon]);
         const auto b = at(body_of_[at(i)]);
-        copy_three(bodies_.body[b].velocity, atom->v[i]);
-        copy_three(bodies_.body[b].spin, atom->omega[i]);
-        copy_three(solver_.shift()[b].data(), &shift_[at(3 * i)]);
+        set(atom->v[i], to_vector(bodies_.body[b].velocity));
+        set(atom->omega[i], to_vector(bodies_.body[b].spin));
+        set(&shift_[at(3 * i)], solver_.shift()[b]);
     }
 }
 
@@ -331,20 +335,22 @@ double FixTdhs::shared_max(double value) const
     return result;
 }
 
-double FixTdhs::compute_vector(int k)
+const std::vector<FixTdhs::ShownValue>& FixTdhs::shown_values()
 {
-    switch (k) {
-        case 0:
-            return static_cast<double>(pairs_.end() - pairs_.begin());
-        case 1:
-            return static_cast<double>(solver_.binary_collisions());
-        case 2:
-            return static_cast<double>(solver_.cluster_contacts());
-        case 3:
-            return static_cast<double>(shortened_);
-        default:
-            return cost_.seconds(static_cast<Part>(k - 3));
-    }
+    static const std::vector<ShownValue> values{
+        {"pairs", [](const FixTdhs& fix) { return static_cast<double>(fix.pairs_.end() - fix.pairs_.begin()); }},
+        {"binary_collisions", [](const FixTdhs& fix) { return static_cast<double>(fix.solver_.binary_collisions()); }},
+        {"cluster_contacts", [](const FixTdhs& fix) { return static_cast<double>(fix.solver_.cluster_contacts()); }},
+        {"shortened_steps", [](const FixTdhs& fix) { return static_cast<double>(fix.shortened_); }},
+        {"search", [](const FixTdhs& fix) { return fix.cost_.seconds(Part::search); }},
+        {"walls", [](const FixTdhs& fix) { return fix.cost_.seconds(Part::walls); }},
+        {"contacts", [](const FixTdhs& fix) { return fix.cost_.seconds(Part::contacts); }},
+        {"integration", [](const FixTdhs& fix) { return fix.cost_.seconds(Part::integration); }},
+        {"communication", [](const FixTdhs& fix) { return fix.cost_.seconds(Part::communication); }},
+    };
+    return values;
 }
+
+double FixTdhs::compute_vector(int k) { return shown_values()[at(k)].of(*this); }
 
 }  // namespace interphase::hard_sphere

@@ -51,11 +51,18 @@ public:
     int pack_reverse_comm(int n, int first, double* buffer) override;
     void unpack_reverse_comm(int n, int* list, double* buffer) override;
 
-    /// What `thermo_style custom f_ID[k]` shows; see the README.
+    /// What `thermo_style custom v_ID_NAME` or f_ID[k] shows; see the README.
     double compute_vector(int k) override;
 
 private:
-    enum class Message { start, counts, changes, shift };
+    struct ShownValue {
+        const char* name;
+        double (*of)(const FixTdhs&);
+    };
+    static const std::vector<ShownValue>& shown_values();
+
+    /// Of messages.hpp, the one that LIGGGHTS is asked to pass on.
+    enum class Message { start, counts, motion, shift };
 
     void read_arguments(int narg, char** arg);
     void refuse_company();
@@ -114,8 +121,8 @@ private:
     double reach_ = 0;  ///< gap up to which pairs are looked for [m]
     double smallest_radius_ = 0, largest_radius_ = 0;
 
-    std::vector<double> push_;   ///< [atoms x 3]
-    std::vector<double> shift_;  ///< not yet in the positions [atoms x 3, m]
+    Scalars push_;   ///< [atoms x 3]
+    Scalars shift_;  ///< not yet in the positions [atoms x 3, m]
     ImpulseMemory memory_;
 
     Bodies bodies_;

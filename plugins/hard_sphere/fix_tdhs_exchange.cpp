@@ -5,6 +5,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "hard_sphere/fix_tdhs.hpp"
+#include "hard_sphere/messages.hpp"
 
 namespace interphase::hard_sphere {
 
@@ -23,26 +24,30 @@ void FixTdhs::grow_arrays(int count)
 
 void FixTdhs::copy_arrays(int from, int to, int)
 {
-    std::copy_n(&shift_[at(3 * from)], 3, &shift_[at(3 * to)]);
+    set(&shift_[at(3 * to)], to_vector(&shift_[at(3 * from)]));
     memory_.copy(from, to);
 }
 
 void FixTdhs::set_arrays(int i)
 {
-    std::fill_n(&shift_[at(3 * i)], 3, 0.0);
+    set(&shift_[at(3 * i)], Vector::Zero());
     memory_.forget(i);
 }
 
 int FixTdhs::pack_exchange(int i, double* buffer)
 {
-    std::copy_n(&shift_[at(3 * i)], 3, buffer);
-    return 3 + memory_.pack(i, buffer + 3);
+    ShiftMessage message;
+    set(message.shift, to_vector(&shift_[at(3 * i)]));
+    const int told = pack(message, buffer);
+    return told + memory_.pack(i, buffer + told);
 }
 
 int FixTdhs::unpack_exchange(int i, double* buffer)
 {
-    std::copy_n(buffer, 3, &shift_[at(3 * i)]);
-    return 3 + memory_.unpack(i, buffer + 3);
+    ShiftMessage message;
+    const int read = unpack(message, buffer);
+    set(&shift_[at(3 * i)], to_vector(message.shift));
+    return read + memory_.unpack(i, buffer + read);
 }
 
 double FixTdhs::memory_usage()
@@ -87,7 +92,7 @@ void FixTdhs::share_changes()
 {
     if (!has_ghosts()) return;
     cost_.switch_to(Part::communication);
-    message_ = Message::changes;
+    message_ = Message::motion;
     comm->reverse_comm_fix(this);
     // a body in parts has the mean velocity of its parts
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -98,8 +103,8 @@ void FixTdhs::share_changes()
             body.velocity[axis] = before.velocity[axis] + share * (body.velocity[axis] - before.velocity[axis]);
             body.spin[axis] = before.spin[axis] + share * (body.spin[axis] - before.spin[axis]);
         }
-        copy_three(body.velocity, before.velocity);
-        copy_three(body.spin, before.spin);
+        set(before.velocity, to_vector(body.velocity));
+        set(before.spin, to_vector(body.spin));
     }
     comm->forward_comm_fix(this);
     cost_.switch_to(Part::contacts);
@@ -107,88 +112,87 @@ void FixTdhs::share_changes()
 
 int FixTdhs::pack_comm(int n, int* list, double* buffer, int, int*)
 {
-    double* next = buffer;
-    for (int k = 0; k < n; ++k) {
-        const int i = list[k];
-        if (message_ == Message::counts) {
-            *next++ = (*counts_)[at(body_of_[at(i)])];
-        } else if (message_ == Message::start) {
-            next = std::copy_n(atom->v[i], 3, next);
-            next = std::copy_n(atom->omega[i], 3, next);
-            next = std::copy_n(&push_[at(3 * i)], 3, next);
-        } else {
-            const Body& body = bodies_.body[at(body_of_[at(i)])];
-            next = std::copy_n(body.velocity, 3, next);
-            next = std::copy_n(body.spin, 3, next);
-        }
-    }
-    return message_ == Message::counts ? 1 : message_ == Message::start ? 9 : 6;
+    if (message_ == Message::start)
+        return pack_each(n, buffer, [&](int k) {
+            const int i = list[k];
+            StartMessage message;
+            set(message.velocity, to_vector(atom->v[i]));
+            set(message.spin, to_vector(atom->omega[i]));
+            set(message.push, to_vector(&push_[at(3 * i)]));
+            return message;
+        });
+    const auto body_of = [&](int k) { return at(body_of_[at(list[k])]); };
+    if (message_ == Message::counts)
+        return pack_each(n, buffer, [&](int k) { return CountMessage{static_cast<double>((*counts_)[body_of(k)])}; });
+    return pack_each(n, buffer, [&](int k) {
+        const Body& body = bodies_.body[body_of(k)];
+        MotionMessage message;
+        set(message.velocity, to_vector(body.velocity));
+        set(message.spin, to_vector(body.spin));
+        return message;
+    });
 }
 
 void FixTdhs::unpack_comm(int n, int first, double* buffer)
 {
-    const double* next = buffer;
-    for (int i = first; i < first + n; ++i) {
-        if (message_ == Message::counts) {
-            (*counts_)[at(body_of_[at(i)])] = static_cast<std::uint8_t>(*next++);
-        } else if (message_ == Message::start) {
-            std::copy_n(next, 3, atom->v[i]);
-            std::copy_n(next + 3, 3, atom->omega[i]);
-            std::copy_n(next + 6, 3, &push_[at(3 * i)]);
-            next += 9;
-        } else {
-            const auto b = at(body_of_[at(i)]);
-            std::copy_n(next, 3, bodies_.body[b].velocity);
-            std::copy_n(next + 3, 3, bodies_.body[b].spin);
-            copy_three(next, shared_[b].velocity);
-            copy_three(next + 3, shared_[b].spin);
-            next += 6;
+    if (message_ == Message::start)
+        return unpack_each<StartMessage>(n, buffer, [&](int k, const StartMessage& message) {
+            const int i = first + k;
+            set(atom->v[i], to_vector(message.velocity));
+            set(atom->omega[i], to_vector(message.spin));
+            set(&push_[at(3 * i)], to_vector(message.push));
+        });
+    const auto body_of = [&](int k) { return at(body_of_[at(first + k)]); };
+    if (message_ == Message::counts)
+        return unpack_each<CountMessage>(n, buffer, [&](int k, const CountMessage& message) {
+            (*counts_)[body_of(k)] = static_cast<std::uint8_t>(message.count);
+        });
+    unpack_each<MotionMessage>(n, buffer, [&](int k, const MotionMessage& message) {
+        for (Body* body : {&bodies_.body[body_of(k)], &shared_[body_of(k)]}) {
+            set(body->velocity, to_vector(message.velocity));
+            set(body->spin, to_vector(message.spin));
         }
-    }
+    });
 }
 
 int FixTdhs::pack_reverse_comm(int n, int first, double* buffer)
 {
-    double* next = buffer;
-    for (int i = first; i < first + n; ++i) {
-        const auto b = at(body_of_[at(i)]);
-        if (message_ == Message::counts) {
-            *next++ = (*counts_)[b];
-            continue;
-        }
-        if (message_ == Message::shift) {
-            next = std::copy_n(solver_.shift()[b].data(), 3, next);
-            continue;
-        }
-        for (int axis = 0; axis < 3; ++axis)
-            *next++ = bodies_.body[b].velocity[axis] - shared_[b].velocity[axis];
-        for (int axis = 0; axis < 3; ++axis)
-            *next++ = bodies_.body[b].spin[axis] - shared_[b].spin[axis];
-    }
-    return message_ == Message::counts ? 1 : message_ == Message::shift ? 3 : 6;
+    const auto body_of = [&](int k) { return at(body_of_[at(first + k)]); };
+    if (message_ == Message::counts)
+        return pack_each(n, buffer, [&](int k) { return CountMessage{static_cast<double>((*counts_)[body_of(k)])}; });
+    if (message_ == Message::shift)
+        return pack_each(n, buffer, [&](int k) {
+            ShiftMessage message;
+            set(message.shift, solver_.shift()[body_of(k)]);
+            return message;
+        });
+    return pack_each(n, buffer, [&](int k) {
+        const Body &body = bodies_.body[body_of(k)], &before = shared_[body_of(k)];
+        MotionMessage message;
+        set(message.velocity, to_vector(body.velocity) - to_vector(before.velocity));
+        set(message.spin, to_vector(body.spin) - to_vector(before.spin));
+        return message;
+    });
 }
 
 void FixTdhs::unpack_reverse_comm(int n, int* list, double* buffer)
 {
-    const double* next = buffer;
-    for (int k = 0; k < n; ++k) {
-        const auto b = at(body_of_[at(list[k])]);
-        if (message_ == Message::counts) {
+    const auto body_of = [&](int k) { return at(body_of_[at(list[k])]); };
+    if (message_ == Message::counts)
+        return unpack_each<CountMessage>(n, buffer, [&](int k, const CountMessage& message) {
             // ranks that share a sphere; of 255 and more, which none will be, the last share its mass too thin
-            (*counts_)[b] = static_cast<std::uint8_t>(std::min((*counts_)[b] + *next++, 255.0));
-            continue;
-        }
-        if (message_ == Message::shift) {
-            solver_.add_shift(b, Vector(next[0], next[1], next[2]));
-            next += 3;
-            continue;
-        }
-        for (int axis = 0; axis < 3; ++axis) {
-            bodies_.body[b].velocity[axis] += next[axis];
-            bodies_.body[b].spin[axis] += next[3 + axis];
-        }
-        next += 6;
-    }
+            std::uint8_t& count = (*counts_)[body_of(k)];
+            count = static_cast<std::uint8_t>(std::min(count + message.count, 255.0));
+        });
+    if (message_ == Message::shift)
+        return unpack_each<ShiftMessage>(n, buffer, [&](int k, const ShiftMessage& message) {
+            solver_.add_shift(body_of(k), to_vector(message.shift));
+        });
+    unpack_each<MotionMessage>(n, buffer, [&](int k, const MotionMessage& message) {
+        Body& body = bodies_.body[body_of(k)];
+        set(body.velocity, to_vector(body.velocity) + to_vector(message.velocity));
+        set(body.spin, to_vector(body.spin) + to_vector(message.spin));
+    });
 }
 
 }  // namespace interphase::hard_sphere

@@ -3,12 +3,24 @@
 
 #include <algorithm>
 
+#include "base/vector.hpp"
+#include "hard_sphere/messages.hpp"
+
 namespace interphase::hard_sphere {
 
 namespace {
 
 // LIGGGHTS's buffer has room for 1000 numbers more than it asks for. What is left out starts from nothing.
 constexpr int most_packed = 200;
+
+/// An entry on its way to another rank. How many come stands before them.
+struct ImpulseMessage {
+    double partner;
+    double impulse[3];  ///< [kg m/s]
+};
+struct ImpulseCount {
+    double count;
+};
 
 }  // namespace
 
@@ -20,30 +32,32 @@ void ImpulseMemory::forget()
 
 int ImpulseMemory::pack(int particle, double* buffer) const
 {
-    double* next = buffer + 1;
-    int count = 0;
+    int told = numbers_in<ImpulseCount>, count = 0;
     for (int k = first(particle); k != 0 && count < most_packed; ++count) {
         const Remembered& entry = entries_[static_cast<std::size_t>(k)];
-        *next++ = entry.partner;
-        next = std::copy_n(entry.impulse, 3, next);
+        ImpulseMessage message;
+        message.partner = entry.partner;
+        set(message.impulse, to_vector(entry.impulse));
+        told += hard_sphere::pack(message, buffer + told);
         k = entry.next;
     }
-    *buffer = count;
-    return static_cast<int>(next - buffer);
+    hard_sphere::pack(ImpulseCount{static_cast<double>(count)}, buffer);
+    return told;
 }
 
 int ImpulseMemory::unpack(int particle, const double* buffer)
 {
-    const double* next = buffer;
-    const int count = static_cast<int>(*next++);
+    ImpulseCount head;
+    int read = hard_sphere::unpack(head, buffer);
     forget(particle);
-    for (int k = 0; k < count; ++k) {
-        Remembered entry{static_cast<int>(*next++), {}};
-        for (float& component : entry.impulse)
-            component = static_cast<float>(*next++);
+    for (int k = 0; k < static_cast<int>(head.count); ++k) {
+        ImpulseMessage message;
+        read += hard_sphere::unpack(message, buffer + read);
+        Remembered entry{static_cast<int>(message.partner)};
+        set(entry.impulse, to_vector(message.impulse));
         add(particle, entry);
     }
-    return static_cast<int>(next - buffer);
+    return read;
 }
 
 }  // namespace interphase::hard_sphere

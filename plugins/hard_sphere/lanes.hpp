@@ -1,46 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cmath>
 #include <cstring>
 
 #include "hard_sphere/bodies.hpp"
 #include "hard_sphere/contact_batch.hpp"
+#include "hard_sphere/impact.hpp"
+#include "hard_sphere/lane_numbers.hpp"
 #include "hard_sphere/processor.hpp"
 
-/// Contacts of a batch side by side, in vectors of the compiler: `width` of them, 4 or 8, as the processor takes them.
-/// They stay within a translation unit.
+/// Contacts of a batch, 1, 4 or 8 of them at once (lane_numbers.hpp), from the batch and the bodies and back.
 namespace interphase::hard_sphere {
-
-template <int width>
-struct Vectors {
-    typedef double Doubles __attribute__((vector_size(8 * width)));
-    typedef float Singles __attribute__((vector_size(4 * width)));
-};
-template <int width>
-using Doubles = typename Vectors<width>::Doubles;
-template <int width>
-using Singles = typename Vectors<width>::Singles;
-
-template <class D>
-inline constexpr int width_of = sizeof(D) / sizeof(double);
-
-template <class D>
-struct Triple {
-    D x, y, z;
-};
 
 template <int width>
 INTERPHASE_INLINE Doubles<width> wide(const float* narrow)
 {
-    Doubles<width> values;  // one by one: the compiler (gcc 12) converts a whole vector in halves
-    for (int k = 0; k < width; ++k)
-        values[k] = narrow[k];
-    return values;
+    if constexpr (width == 1) {
+        return *narrow;
+    } else {
+        Doubles<width> values;  // one by one: the compiler (gcc 12) converts a whole vector in halves
+        for (int k = 0; k < width; ++k)
+            values[k] = narrow[k];
+        return values;
+    }
 }
 
 template <int width>
-INTERPHASE_INLINE Triple<Doubles<width>> wide(const float (&narrow)[3][lanes], int first)
+INTERPHASE_INLINE Three<Doubles<width>> wide(const float (&narrow)[3][lanes], int first)
 {
     return {wide<width>(narrow[0] + first), wide<width>(narrow[1] + first), wide<width>(narrow[2] + first)};
 }
@@ -52,85 +38,20 @@ INTERPHASE_INLINE void store(float* narrow, const D& values)
     std::memcpy(narrow, &rounded, sizeof rounded);
 }
 
+INTERPHASE_INLINE void store(float* narrow, double value) { *narrow = static_cast<float>(value); }
+
+INTERPHASE_INLINE void store(float (&narrow)[3][lanes], int first, const Vector& values)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        store(narrow[axis] + first, values[axis]);
+}
+
 template <class D>
 INTERPHASE_INLINE void store(float (&narrow)[3][lanes], int first, const Triple<D>& values)
 {
     store(narrow[0] + first, values.x);
     store(narrow[1] + first, values.y);
     store(narrow[2] + first, values.z);
-}
-
-/// `yes` where `value` is below zero, else `no`, by its sign. The compiler (gcc 12) takes comparisons of vectors apart,
-/// number by number, once two of them meet.
-template <class D>
-INTERPHASE_INLINE D if_negative(const D& value, const D& yes, const D& no)
-{
-    using Bits = decltype(value < value);
-    const Bits negative = (Bits)(value + 0.0) >> 63;  // the sign of a zero does not count
-    return (D)(((Bits)yes & negative) | ((Bits)no & ~negative));
-}
-
-template <class D>
-INTERPHASE_INLINE D if_positive(const D& value, const D& yes, const D& no)
-{
-    return if_negative(D(-value), yes, no);
-}
-
-template <class D>
-INTERPHASE_INLINE Triple<D> if_positive(const D& value, const Triple<D>& yes, const Triple<D>& no)
-{
-    return {if_positive(value, yes.x, no.x), if_positive(value, yes.y, no.y), if_positive(value, yes.z, no.z)};
-}
-
-template <class D>
-INTERPHASE_INLINE D smaller(const D& a, const D& b)
-{
-    return a < b ? a : b;
-}
-
-template <class D>
-INTERPHASE_INLINE D larger(const D& a, const D& b)
-{
-    return a > b ? a : b;
-}
-
-template <class D>
-INTERPHASE_INLINE D square_root(const D& values)
-{
-    D roots;
-    for (int k = 0; k < width_of<D>; ++k)
-        roots[k] = std::sqrt(values[k]);
-    return roots;
-}
-
-template <class D>
-INTERPHASE_INLINE Triple<D> operator+(const Triple<D>& a, const Triple<D>& b)
-{
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-
-template <class D>
-INTERPHASE_INLINE Triple<D> operator-(const Triple<D>& a, const Triple<D>& b)
-{
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-template <class D>
-INTERPHASE_INLINE Triple<D> operator*(const D& s, const Triple<D>& a)
-{
-    return {s * a.x, s * a.y, s * a.z};
-}
-
-template <class D>
-INTERPHASE_INLINE D dot(const Triple<D>& a, const Triple<D>& b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-template <class D>
-INTERPHASE_INLINE Triple<D> cross(const Triple<D>& a, const Triple<D>& b)
-{
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 /// Of each four numbers of the vectors.
@@ -163,40 +84,53 @@ INTERPHASE_INLINE void transpose(V& a, V& b, V& c, V& d)
 template <class Number, int width, class Row>
 INTERPHASE_INLINE auto load_rows(const Row& row)
 {
-    typedef Number Four __attribute__((vector_size(4 * sizeof(Number))));
-    typedef Number All __attribute__((vector_size(width * sizeof(Number))));
-    struct {
-        All r[4];
-    } rows;
-    for (int k = 0; k < 4; ++k) {
-        Four low;
-        std::memcpy(&low, row(k), sizeof low);
-        if constexpr (width == 4) {
-            rows.r[k] = low;
-        } else {
-            Four high;
-            std::memcpy(&high, row(k + 4), sizeof high);
-            rows.r[k] = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+    if constexpr (width == 1) {
+        struct {
+            Number r[4];
+        } rows;
+        std::memcpy(rows.r, row(0), sizeof rows.r);
+        return rows;
+    } else {
+        typedef Number Four __attribute__((vector_size(4 * sizeof(Number))));
+        typedef Number All __attribute__((vector_size(width * sizeof(Number))));
+        struct {
+            All r[4];
+        } rows;
+        for (int k = 0; k < 4; ++k) {
+            Four low;
+            std::memcpy(&low, row(k), sizeof low);
+            if constexpr (width == 4) {
+                rows.r[k] = low;
+            } else {
+                Four high;
+                std::memcpy(&high, row(k + 4), sizeof high);
+                rows.r[k] = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+            }
         }
+        transpose(rows.r[0], rows.r[1], rows.r[2], rows.r[3]);
+        return rows;
     }
-    transpose(rows.r[0], rows.r[1], rows.r[2], rows.r[3]);
-    return rows;
 }
 
 /// The reverse.
 template <class D, class Row>
-INTERPHASE_INLINE void store_rows(const Triple<D>& three, const D& fourth, const Row& row)
+INTERPHASE_INLINE void store_rows(const Three<D>& three, const D& fourth, const Row& row)
 {
-    D r[4] = {three.x, three.y, three.z, fourth};
-    transpose(r[0], r[1], r[2], r[3]);
-    for (int k = 0; k < 4; ++k) {
-        if constexpr (width_of<D> == 4) {
-            std::memcpy(row(k), &r[k], sizeof r[k]);
-        } else {
-            const Doubles<4> low = __builtin_shufflevector(r[k], r[k], 0, 1, 2, 3),
-                             high = __builtin_shufflevector(r[k], r[k], 4, 5, 6, 7);
-            std::memcpy(row(k), &low, sizeof low);
-            std::memcpy(row(k + 4), &high, sizeof high);
+    if constexpr (width_of<D> == 1) {
+        const double r[4] = {three[0], three[1], three[2], fourth};
+        std::memcpy(row(0), r, sizeof r);
+    } else {
+        D r[4] = {three.x, three.y, three.z, fourth};
+        transpose(r[0], r[1], r[2], r[3]);
+        for (int k = 0; k < 4; ++k) {
+            if constexpr (width_of<D> == 4) {
+                std::memcpy(row(k), &r[k], sizeof r[k]);
+            } else {
+                const Doubles<4> low = __builtin_shufflevector(r[k], r[k], 0, 1, 2, 3),
+                                 high = __builtin_shufflevector(r[k], r[k], 4, 5, 6, 7);
+                std::memcpy(row(k), &low, sizeof low);
+                std::memcpy(row(k + 4), &high, sizeof high);
+            }
         }
     }
 }
@@ -212,7 +146,7 @@ INTERPHASE_INLINE void fetch(const Item* items, const int (&index)[lanes])
 /// The bodies on one side of the contacts.
 template <class D>
 struct Side {
-    Triple<D> velocity, spin;
+    Three<D> velocity, spin;
     D inverse_mass, inverse_inertia;
 };
 
@@ -239,16 +173,15 @@ INTERPHASE_INLINE void store(Body* bodies, const int* index, const Side<D>& side
 /// Gives `impulse` to the bodies on side b, its opposite to those on side a; of the contacts from `first` on.
 template <class D>
 INTERPHASE_INLINE void give(Body* bodies, const ContactBatch& batch, int first, Side<D>& a, Side<D>& b,
-                            const Triple<D>& normal, const Triple<D>& impulse)
+                            const Three<D>& normal, const Three<D>& impulse)
 {
     constexpr int width = width_of<D>;
-    const Triple<D> twist = cross(normal, impulse);
-    a.velocity = a.velocity - a.inverse_mass * impulse;
-    b.velocity = b.velocity + b.inverse_mass * impulse;
-    a.spin = a.spin - (wide<width>(batch.arm_i + first) * a.inverse_inertia) * twist;
-    b.spin = b.spin - (wide<width>(batch.arm_j + first) * b.inverse_inertia) * twist;
+    exchange_impulse(a, b, wide<width>(batch.arm_i + first), wide<width>(batch.arm_j + first), normal, impulse);
     store(bodies, batch.i + first, a);
     store(bodies, batch.j + first, b);
 }
+
+/// How many contacts at once this processor takes best.
+inline int best_width() { return has_widest() ? 8 : 4; }
 
 }  // namespace interphase::hard_sphere

@@ -81,7 +81,8 @@ void PairSearch::look_through(const Coarse& spheres, const CellGrid& grid, doubl
             // between by closing^2/speed2 below the start. Multiplied by speed2 that needs no division.
             const Floats closing_at_end = closing + dt * speed2;
             const Floats at_end = squared + dt * (closing + closing_at_end);
-            const Ints between = below_zero(closing * closing_at_end);
+            // where they are at rest to each other this is a zero, whose sign does not count
+            const Ints between = below_zero(closing * closing_at_end + 0.0f);
             const Floats scale = choose(between, speed2, one);
             const Floats nearest = choose(between, squared * speed2 - closing * closing, smaller(squared, at_end));
             const Ints valid = (lane - in_halves(a.last - j, b.last - k)) >> 31;

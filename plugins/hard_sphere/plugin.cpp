@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engines/liggghts/plugin.hpp"
+#include "plugin/plugin.hpp"
 
 #include "hard_sphere/fix_tdhs.hpp"
 #include "hard_sphere/fix_wall_tdhs.hpp"

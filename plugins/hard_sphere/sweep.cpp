@@ -7,14 +7,6 @@ namespace interphase::hard_sphere {
 
 namespace {
 
-/// min(1, limit/size), size given by its square.
-template <class D>
-INTERPHASE_INLINE D cone(const D& limit, const D& squared)
-{
-    constexpr double tiny = 1e-200;  // no lane may divide by zero
-    return limit / (larger(square_root(squared), limit) + tiny);
-}
-
 /// For solid spheres, with and without a wall, the effective mass along the plane of contact is 2/7 of that along the
 /// normal (Hoomans et al. 1996).
 constexpr double tangential_share = 2.0 / 7.0;
@@ -24,22 +16,18 @@ template <Phase phase, int width>
 INTERPHASE_INLINE void resolve(Body* bodies, ContactBatch& batch, int first)
 {
     using D = Doubles<width>;
-    using Three = Triple<D>;
     Side<D> a = load<width>(bodies, batch.i + first), b = load<width>(bodies, batch.j + first);
-    const Three normal = wide<width>(batch.normal, first);
-    const Three turning = wide<width>(batch.arm_i + first) * a.spin + wide<width>(batch.arm_j + first) * b.spin;
-    Three slip = b.velocity - a.velocity - cross(turning, normal);
-    const D apart = dot(slip, normal);
-    slip = slip - apart * normal;
+    const Three<D> normal = wide<width>(batch.normal, first);
+    const auto [apart, slip] = in_parts(
+        surface_velocity(a, b, wide<width>(batch.arm_i + first), wide<width>(batch.arm_j + first), normal), normal);
 
     const D zero{}, mass = wide<width>(batch.mass + first), closing = wide<width>(batch.closing + first);
     const D old = wide<width>(batch.impulse + first), bounce = wide<width>(batch.bounce + first);
-    // What keeps the surfaces from crossing. An impact acts before they meet: it stops the approach altogether, if but
-    // for it they would cross.
-    const D without = old - mass * (apart + closing);
+    // An impact acts before the surfaces meet: it stops the approach altogether, if but for it they would cross.
+    const D without = normal_impulse(old, mass, apart, closing);
     D along = if_positive(without, if_positive(bounce, D(without + mass * closing), without), zero);
-    const Three before = wide<width>(batch.tangential, first);
-    Three wanted = before - D(tangential_share * mass) * slip;
+    const Three<D> before = wide<width>(batch.tangential, first);
+    Three<D> wanted = before - D(tangential_share * mass) * slip;
     if constexpr (phase != Phase::compression) {
         D least, kept = 1 + zero;
         if constexpr (phase == Phase::release) {
@@ -50,14 +38,16 @@ INTERPHASE_INLINE void resolve(Body* bodies, ContactBatch& batch, int first)
             least = wide<width>(batch.least + first);
         }
         along = larger(along, least);
-        wanted = if_positive(bounce, kept * before, wanted);
+        const Three<D> returned = kept * before;
+        wanted = if_positive(bounce, returned, wanted);
     }
 
-    const D limit = wide<width>(batch.friction + first) * along;
-    const Three tangential = cone(limit, dot(wanted, wanted)) * wanted;
+    const D limit = wide<width>(batch.friction + first) * along, size = square_root(dot(wanted, wanted));
+    const Three<D> tangential = within_cone(wanted, size, size, limit);
+    const Three<D> impulse = tangential - before + D(along - old) * normal;
     store(batch.impulse + first, along);
     store(batch.tangential, first, tangential);
-    give(bodies, batch, first, a, b, normal, tangential - before + D(along - old) * normal);
+    give(bodies, batch, first, a, b, normal, impulse);
 }
 
 template <Phase phase, int width>
@@ -102,12 +92,20 @@ INTERPHASE_CLONES void by_four(Body* bodies, ContactBatch* batches, std::size_t 
     pass<4>(bodies, batches, count, direction, phase);
 }
 
+/// The scalar.
+void by_one(Body* bodies, ContactBatch* batches, std::size_t count, Direction direction, Phase phase)
+{
+    pass<1>(bodies, batches, count, direction, phase);
+}
+
 }  // namespace
 
 void sweep(std::vector<Body>& bodies, std::vector<ContactBatch>& batches, std::size_t count, Direction direction,
-           Phase phase)
+           Phase phase, int width)
 {
-    (has_widest() ? by_eight : by_four)(bodies.data(), batches.data(), count, direction, phase);
+    if (width == 0) width = best_width();
+    const auto go = width == 8 ? by_eight : width == 4 ? by_four : by_one;
+    go(bodies.data(), batches.data(), count, direction, phase);
 }
 
 }  // namespace interphase::hard_sphere

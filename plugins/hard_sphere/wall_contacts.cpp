@@ -71,7 +71,7 @@ void find_wall_contacts(Bodies& bodies, const std::vector<std::unique_ptr<walls:
             const auto i = static_cast<std::size_t>(body);
             if (bodies.label[i].ghost || bodies.label[i].fixed) continue;
             const Place& place = bodies.path[i].place;
-            const Vector velocity = vector(bodies.path[i].velocity);
+            const Vector velocity = to_vector(bodies.path[i].velocity);
             const double reach = limits.margin + limits.step * velocity.norm();
             if (!wall.may_touch(place, reach)) continue;
             points.clear();
@@ -94,12 +94,12 @@ void find_wall_contacts(Bodies& bodies, const std::vector<std::unique_ptr<walls:
                 if (!point.velocity.isZero()) {
                     contact.j = static_cast<int>(bodies.body.size());
                     bodies.body.emplace_back();
-                    copy_three(point.velocity.data(), bodies.body.back().velocity);
+                    set(bodies.body.back().velocity, point.velocity);
                 }
                 if (end < 0 && end < point.gap) {
                     contact.touch_time = limits.step * std::max(0.0, point.gap) / (point.gap - end);
                     follow_to_touch(contact, wall, place, meeting, limits.step);
-                    judge_impact(contact, meeting, -vector(bodies.push[i].change), limits);
+                    judge_impact(contact, meeting, -to_vector(bodies.push[i].change), limits);
                 }
                 found.push_back(contact);
             }

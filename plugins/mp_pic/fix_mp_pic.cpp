@@ -11,12 +11,12 @@
 #include "atom.h"
 #include "base/problem.hpp"
 #include "base/text.hpp"
-#include "engines/liggghts/plugin.hpp"
 #include "error.h"
 #include "modify.h"
 #include "mp_pic/fix_wall_mp_pic.hpp"
 #include "mp_pic/velocity_limiter.hpp"
 #include "neighbor.h"
+#include "plugin/plugin.hpp"
 #include "script/script.hpp"
 #include "update.h"
 
@@ -28,6 +28,8 @@ constexpr int grow_callback = 0;
 
 /// Places in the sums.
 enum Sum { by_stress = 0, by_walls = 3, bounces = 6, pushed = 7 };
+const std::vector<std::string> sum_names{"stress_x", "stress_y", "stress_z", "walls_x",
+                                         "walls_y",  "walls_z",  "bounces",  "pushed"};
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -43,6 +45,7 @@ FixMpPic::FixMpPic(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg
     global_freq = 1;
     extvector = 1;
     read_arguments(narg, arg);
+    script::name_values(*lmp, *this, sum_names);
     grow_arrays(atom->nmax);
     atom->add_callback(grow_callback);
 }
@@ -91,8 +94,7 @@ StepTooLong FixMpPic::begin(double gas_step)
     double shortest = gas_step;
     for (int i = 0; i < atom->nlocal; ++i) {
         if (!(atom->mask[i] & groupbit)) continue;
-        const LongestStep longest =
-            longest_step(states_[at(i)], Eigen::Map<const Vector>(atom->v[i]), courant_, relaxation_share_);
+        const LongestStep longest = longest_step(states_[at(i)], to_vector(atom->v[i]), courant_, relaxation_share_);
         found.crossing_cells += longest.crossing < gas_step;
         found.beyond_relaxation += longest.relaxation < update->dt;
         found.longest = std::min({found.longest, longest.crossing, longest.relaxation});
@@ -107,7 +109,7 @@ StepTooLong FixMpPic::begin(double gas_step)
 
 void FixMpPic::complain_of_step(int particle, double gas_step, double longest)
 {
-    const auto told = [](const double* v) { return text(Vector(v[0], v[1], v[2])); };
+    const auto told = [](const double* v) { return text(to_vector(v)); };
     complaint_ = Problem{"particle " + std::to_string(atom->tag[particle]) + " moves at " + told(atom->v[particle]) +
                              " m/s and would cross more than " + text(courant_) + " of its gas cell in a gas step of " +
                              text(gas_step) + " s",
@@ -157,22 +159,21 @@ Vector FixMpPic::take_stress(int i)
     const double r = atom->radius[i], density = atom->rmass[i] / (4.0 / 3.0 * M_PI * r * r * r);
     // The mean motion is compared with velocities of its own time, and with these after a whole kick. It is that of
     // whole steps, half a kick behind; or, where the gas step began with its own forces, that before the whole kick.
-    Eigen::Map<Vector> velocity(atom->v[i]);
-    const Vector kick = update->dt / atom->rmass[i] * Eigen::Map<const Vector>(atom->f[i]);
+    const Vector velocity = to_vector(atom->v[i]);
+    const Vector kick = update->dt / atom->rmass[i] * to_vector(atom->f[i]);
     const Vector before = velocity - (kicked_whole_ ? 1.0 : 0.5) * kick;
     const double e = restitution_[at(atom->type[i] - 1)];
     const Vector change = limited_stress_change(state, before, before + kick, density, e, update->dt);
-    velocity += change;
-    for (int axis = 0; axis < 3; ++axis)
-        states_[at(i)].change[axis] += change[axis];
+    set(atom->v[i], velocity + change);
+    set(states_[at(i)].change, to_vector(state.change) + change);
     return change;
 }
 
 void FixMpPic::move(int i)
 {
-    const Eigen::Map<const Vector> velocity(atom->v[i]);
+    const Vector velocity = to_vector(atom->v[i]);
     walls::Place place;
-    std::copy_n(atom->x[i], 3, place.centre);
+    set(place.centre, to_vector(atom->x[i]));
     place.radius = atom->radius[i];
     const Drift moved = drift(place, velocity, update->dt, walls_, wall_laws_[at(atom->type[i] - 1)]);
     if (moved.bounces > 0 || moved.pushed > 0) {
@@ -182,8 +183,8 @@ void FixMpPic::move(int i)
         sums_[bounces] += moved.bounces;
         sums_[pushed] += moved.pushed;
     }
-    std::copy_n(moved.position.data(), 3, atom->x[i]);
-    std::copy_n(moved.velocity.data(), 3, atom->v[i]);
+    set(atom->x[i], moved.position);
+    set(atom->v[i], moved.velocity);
 }
 
 double FixMpPic::compute_vector(int k)

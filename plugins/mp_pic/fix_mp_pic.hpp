@@ -10,7 +10,7 @@
 #include "fix.h"
 #include "mp_pic/stress_law.hpp"
 #include "mp_pic/wall_bounce.hpp"
-#include "step/solid_stress.hpp"
+#include "plugin/solid_stress.hpp"
 
 namespace interphase::mp_pic {
 
@@ -42,7 +42,7 @@ public:
     int unpack_exchange(int i, double* buffer) override;
     double memory_usage() override;
 
-    /// What `thermo_style custom f_ID[k]` shows; see the README. Collective.
+    /// What `thermo_style custom v_ID_NAME` or f_ID[k] shows; see the README. Collective.
     double compute_vector(int k) override;
 
     double stress(double solid_fraction) const override;

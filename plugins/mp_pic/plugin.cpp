@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engines/liggghts/plugin.hpp"
+#include "plugin/plugin.hpp"
 
 #include "mp_pic/fix_mp_pic.hpp"
 #include "mp_pic/fix_wall_mp_pic.hpp"

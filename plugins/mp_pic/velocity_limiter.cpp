@@ -18,7 +18,7 @@ Vector stress_change(const StressState& state, double density, double dt)
 {
     if (state.solid_fraction <= 0) return Vector::Zero();
     const double per_slope = -dt / (density * state.solid_fraction * (1 + dt / state.relaxation_time));
-    return per_slope * Vector(state.gradient[0], state.gradient[1], state.gradient[2]);
+    return per_slope * to_vector(state.gradient);
 }
 
 double limited_change(double change, double slope, const Approach& approach, double restitution)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/vector.hpp"
-#include "step/solid_stress.hpp"
+#include "plugin/solid_stress.hpp"
 
 namespace interphase::mp_pic {
 

@@ -46,7 +46,7 @@ Vector bounced(const Vector& velocity, const Vector& normal, double normal_resti
 Drift drift(const walls::Place& start, const Vector& velocity, double dt,
             const std::vector<std::unique_ptr<walls::Wall>>& walls, const std::vector<WallLaw>& laws)
 {
-    Drift state{walls::vector(start.centre), velocity};
+    Drift state{to_vector(start.centre), velocity};
     const double way = dt * velocity.norm();
     const bool near =
         std::any_of(walls.begin(), walls.end(), [&](const auto& wall) { return wall->may_touch(start, way); });
@@ -60,7 +60,7 @@ Drift drift(const walls::Place& start, const Vector& velocity, double dt,
     for (int n = 0; n < parts; ++n) {
         state.position += dt / parts * state.velocity;
         for (const auto& wall : walls) {
-            std::copy_n(state.position.data(), 3, place.centre);
+            set(place.centre, state.position);
             points.clear();
             wall->near(place, 0.0, points);
             for (const walls::WallPoint& point : points)

@@ -6,7 +6,9 @@
 #include "atom.h"
 #include "error.h"
 #include "fix_property_global.h"
+#include "input.h"
 #include "modify.h"
+#include "variable.h"
 
 namespace interphase::script {
 
@@ -60,6 +62,18 @@ void sort_by_default(LAMMPS_NS::LAMMPS& lmp, double width)
     std::string words[] = {"sort", std::to_string(liggghts_default), std::to_string(width)};
     char* arguments[] = {words[0].data(), words[1].data(), words[2].data()};
     lmp.atom->modify_params(3, arguments);
+}
+
+void name_values(LAMMPS_NS::LAMMPS& lmp, const LAMMPS_NS::Fix& fix, const std::vector<std::string>& names)
+{
+    LAMMPS_NS::Variable& variables = *lmp.input->variable;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        std::string words[] = {std::string(fix.id) + "_" + names[k], "equal",
+                               "f_" + std::string(fix.id) + "[" + std::to_string(k + 1) + "]"};
+        if (variables.find(words[0].data()) >= 0) continue;
+        char* arguments[] = {words[0].data(), words[1].data(), words[2].data()};
+        variables.set(3, arguments);
+    }
 }
 
 }  // namespace interphase::script

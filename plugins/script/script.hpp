@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "fix.h"
 
@@ -20,5 +22,10 @@ void read_between_types(LAMMPS_NS::LAMMPS& lmp, const LAMMPS_NS::Fix& fix, const
 /// LIGGGHTS sorts particles every 1000 steps if the script says nothing, and takes the bins' width from a pair style.
 /// Where there is none it is `width` [m].
 void sort_by_default(LAMMPS_NS::LAMMPS& lmp, double width);
+
+/// Gives the numbers f_ID[1], f_ID[2], ... of the fix names that a script may use: a variable `ID_NAME`, of style
+/// equal, for each of `names`, so that nobody has to count places (`thermo_style custom step v_ID_NAME`). A variable of
+/// that name that is there already stays as it is.
+void name_values(LAMMPS_NS::LAMMPS& lmp, const LAMMPS_NS::Fix& fix, const std::vector<std::string>& names);
 
 }  // namespace interphase::script

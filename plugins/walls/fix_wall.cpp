@@ -125,7 +125,7 @@ std::vector<Triangle> FixWall::all_triangles(LAMMPS_NS::FixMeshSurface& fix) con
     std::vector<Triangle> triangles(all.size() / 9);
     for (std::size_t t = 0; t < triangles.size(); ++t)
         for (std::size_t corner = 0; corner < 3; ++corner)
-            triangles[t][corner] = Eigen::Map<const Vector>(&all[9 * t + 3 * corner]);
+            triangles[t][corner] = to_vector(&all[9 * t + 3 * corner]);
     return triangles;
 }
 

@@ -103,7 +103,7 @@ template <class Visit>
 void TriangleWall::each_near(const Place& sphere, double reach, const Visit& visit) const
 {
     const double within = sphere.radius + reach;
-    const Vector centre = vector(sphere.centre), span = Vector::Constant(within);
+    const Vector centre = to_vector(sphere.centre), span = Vector::Constant(within);
     if (((centre + span).array() < bounds_.col(0).array()).any() ||
         ((centre - span).array() > bounds_.col(1).array()).any())
         return;
@@ -127,7 +127,7 @@ bool TriangleWall::may_touch(const Place& sphere, double reach) const
 void TriangleWall::near(const Place& sphere, double reach, std::vector<WallPoint>& points) const
 {
     const double within = sphere.radius + reach;
-    const Vector centre = vector(sphere.centre);
+    const Vector centre = to_vector(sphere.centre);
     std::vector<Candidate> candidates;
     each_near(sphere, reach, [&](int t) {
         const Vector point = nearest_point(triangles_[static_cast<std::size_t>(t)], centre);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/vector.hpp"
 #include "walls/place.hpp"
 
 namespace interphase::walls {

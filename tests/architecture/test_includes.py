@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Who may include whom, checked on every source file.
 
-Engine headers appear only under coupler/engines/<that engine>/ and in the plugins. Inside coupler/, includes point
-one way along ORDER, the list of the coupling step; the engines come after it and do not know each other; run/ and
-the main program put it all together, and nothing includes them.
+Engine headers appear only under coupler/engines/<that engine>/, in the plug-ins, and in the one header that makes a plug-in of
+LIGGGHTS's classes, FOR_PLUGINS, which nothing but LIGGGHTS's engine and the plug-ins include. Inside coupler/, includes point one way
+along ORDER, the list of the coupling step; the engines come after it and do not know each other; run/ and the main program put it all
+together, and nothing includes them. Plug-ins of this tree see of the coupler what is installed for those outside it, no more.
 """
 
 import os
@@ -16,9 +17,13 @@ SOURCE = pathlib.Path(os.environ.get("INTERPHASE_SOURCE", pathlib.Path(__file__)
 COUPLER = SOURCE / "coupler"
 
 # A folder may include itself and the folders before it.
-ORDER = ["base", "exchange", "mapping", "forces", "momentum", "settings", "records", "step"]
+ORDER = ["base", "exchange", "mapping", "forces", "momentum", "settings", "plugin", "records", "step"]
 ENGINES = ["openfoam", "liggghts"]
 WHOLE = "run"
+FOR_PLUGINS = "plugin/plugin.hpp"
+
+# The folders of plugins/ that are none themselves but what plug-ins share.
+SHARED = ("script", "walls")
 
 # LIGGGHTS's headers have plain names (atom.h, fix.h): all that LIGGGHTS installs are known by this folder's listing,
 # the ones the coupler would use by name where LIGGGHTS is installed elsewhere.
@@ -76,16 +81,46 @@ def violations(path, text):
         # Ours are written from coupler/ on; a name without a folder is an engine's, a system's, or a mistake.
         if quoted and (COUPLER / header).exists():
             target = folder_of(header)
+            if header == FOR_PLUGINS and folder != "engines/liggghts":
+                found.append(f'coupler/{path}: includes "{header}", which brings LIGGGHTS; only engines/liggghts may')
+                continue
             if allowed is not None and target not in allowed:
                 found.append(f'coupler/{path}: includes "{header}", but {folder} may include only '
                              + ", ".join(sorted(allowed)))
             continue
         engine = engine_of_header(header)
-        if engine and folder != f"engines/{engine}":
+        if engine and folder != f"engines/{engine}" and not (engine == "liggghts" and path == FOR_PLUGINS):
             found.append(f"coupler/{path}: includes {engine}'s header {header}; those belong under "
                          f"coupler/engines/{engine}/")
         elif quoted and not engine:
             found.append(f'coupler/{path}: includes "{header}", which is no file below coupler/')
+    return found
+
+
+def installed_headers():
+    """What cmake/Package.cmake lays out for plug-ins, from coupler/ on."""
+    package = (SOURCE / "cmake" / "Package.cmake").read_text()
+    return set(re.search(r"set\(_headers ([^)]*)\)", package).group(1).split())
+
+
+def violations_of_plugin(path, text, installed):
+    """The same of a file of plugins/ (path relative to it)."""
+    own = pathlib.PurePosixPath(path).parts[0]
+    found = []
+    for quoted, header in includes_in(text):
+        if header in installed:
+            continue
+        folder = header.split("/")[0]
+        if engine_of_header(header) == "openfoam":
+            found.append(f"plugins/{path}: includes OpenFOAM's header {header}")
+        elif (SOURCE / "plugins" / header).exists() and "/" in header:
+            if folder not in (own, *SHARED):
+                found.append(f'plugins/{path}: includes "{header}" of another plug-in')
+        elif (COUPLER / header).exists() or folder in ORDER + ["engines", WHOLE, "interphase"]:
+            found.append(f'plugins/{path}: includes "{header}", which plug-ins outside this tree do not have; they have '
+                         + ", ".join(sorted(installed)))
+        elif quoted and not engine_of_header(header):
+            found.append(f'plugins/{path}: includes "{header}", which is neither its own nor LIGGGHTS\'s')
     return found
 
 
@@ -119,6 +154,24 @@ class TheCheckItself(unittest.TestCase):
         self.assertTrue(violations("engines/openfoam/x.cpp", f'#include "{header}"'))
         self.assertFalse(violations("run/x.cpp", f'#include "{header}"'))
 
+    def test_finds_what_brings_liggghts_in_the_middle(self):
+        for path in ("step/x.hpp", "run/x.cpp", "plugin/solid_stress.hpp", "engines/openfoam/x.cpp", "interphase.cpp"):
+            self.assertTrue(violations(path, f'#include "{FOR_PLUGINS}"'), path)
+        self.assertFalse(violations("engines/liggghts/x.cpp", f'#include "{FOR_PLUGINS}"'))
+        self.assertTrue(violations("plugin/solid_stress.hpp", '#include "fix.h"'))
+        self.assertFalse(violations(FOR_PLUGINS, '#include "fix.h"'))
+        self.assertFalse(violations("step/x.hpp", '#include "plugin/solid_stress.hpp"'))
+
+    def test_finds_a_privilege_of_a_plug_in(self):
+        installed = installed_headers()
+        self.assertIn(FOR_PLUGINS, installed)
+        for text in ('"step/gas.hpp"', '"base/communicator.hpp"', '<engines/liggghts/liggghts_solids.hpp>', '"mp_pic/stress_law.hpp"',
+                     '"fvCFD.H"', '"nowhere.hpp"'):  # fmt: skip
+            self.assertTrue(violations_of_plugin("hard_sphere/x.cpp", f"#include {text}", installed), text)
+        for text in (f'"{FOR_PLUGINS}"', '"base/vector.hpp"', '"walls/wall.hpp"', '"hard_sphere/sweep.hpp"', '"fix.h"', "<Eigen/Core>",
+                     "<vector>"):  # fmt: skip
+            self.assertFalse(violations_of_plugin("hard_sphere/x.cpp", f"#include {text}", installed), text)
+
     def test_finds_an_unknown_folder_and_an_unknown_header(self):
         self.assertTrue(violations("surprise/x.cpp", ""))
         self.assertTrue(violations("base/x.cpp", '#include "vector.hpp"'))
@@ -134,11 +187,17 @@ class Includes(unittest.TestCase):
             found += violations(file.relative_to(COUPLER).as_posix(), file.read_text())
         self.assertFalse(found, "\n" + "\n".join(found))
 
-    def test_of_plugins_name_no_gas_engine(self):
-        found = [f"{file.relative_to(SOURCE)}: includes {header}"
-                 for file in sources(SOURCE / "plugins")
-                 for _, header in includes_in(file.read_text()) if engine_of_header(header) == "openfoam"]
+    def test_of_plugins_are_what_those_outside_this_tree_have(self):
+        installed, plugins = installed_headers(), SOURCE / "plugins"
+        found = [message for file in sources(plugins)
+                 for message in violations_of_plugin(file.relative_to(plugins).as_posix(), file.read_text(), installed)]  # fmt: skip
         self.assertFalse(found, "\n" + "\n".join(found))
+
+    def test_of_installed_headers_are_installed(self):
+        installed = installed_headers()
+        missing = [f"{header}: {other}" for header in installed for quoted, other in includes_in((COUPLER / header).read_text())
+                   if quoted and (COUPLER / other).exists() and other not in installed]
+        self.assertFalse(missing)
 
 
 if __name__ == "__main__":

@@ -197,6 +197,17 @@ class Misfits(PluginTest):
         self.everywhere_refused(["other_sizes"], r"libother_sizes\.so", r"size of bigint \[bytes\]: 4, this program: 8",
                                 r"size of Fix \[bytes\]: \d+, this program: \d+")  # fmt: skip
 
+    def test_another_state_of_the_solid_stress(self):
+        """Longer by a number; as long, but with two members changed about: either would write beside what it means."""
+        self.everywhere_refused(["longer_state"], r"liblonger_state\.so", r"size of StressState \[bytes\]: \d+, this program: \d+")
+        self.everywhere_refused(["swapped_state"], r"libswapped_state\.so is built against something else than this program "
+                                r"\(members of StressState \(fingerprint\): -?\d+, this program: -?\d+\)")  # fmt: skip
+
+    def test_other_functions_of_the_solid_stress(self):
+        """Two of them changed about: the coupler would call one in place of the other."""
+        self.everywhere_refused(["other_functions"], r"libother_functions\.so is built against something else than this program "
+                                r"\(functions of SolidStress \(fingerprint\): -?\d+, this program: -?\d+\)")  # fmt: skip
+
     def test_the_good_one_beside_it_does_not_help(self):
         self.everywhere_refused(["kick", "other_sizes"], r"libother_sizes\.so")
 

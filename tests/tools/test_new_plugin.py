@@ -112,6 +112,8 @@ class WholePath(Bench):
         self.succeed("cmake", "--install", BUILD, "--prefix", prefix)
         plugin = os.path.join(self.root, "elsewhere", "soft_ball")
         self.succeed(TOOL, "soft_ball", plugin)
+        with open(os.path.join(plugin, "fix_soft_ball.cpp"), "a", encoding="utf-8") as file:  # what the tree's own plug-ins use
+            file.write("#include <interphase/base/text.hpp>\nextern const std::string told = interphase::text(interphase::Vector(1, 2, 3));\n")
         build = self.configured(plugin, f"-DCMAKE_PREFIX_PATH={prefix}")
         with open(os.path.join(build, "CMakeCache.txt"), encoding="utf-8") as cache:
             self.assertIn(f"interphase_DIR:PATH={prefix}/lib/cmake/interphase", cache.read())

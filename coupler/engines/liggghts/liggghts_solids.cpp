@@ -15,7 +15,7 @@
 #include "engines/liggghts/fix_fluid.hpp"
 #include "engines/liggghts/fix_registration.hpp"
 #include "engines/liggghts/last_words.hpp"
-#include "engines/liggghts/plugin.hpp"
+#include "plugin/plugin.hpp"
 #include "engines/liggghts/weight_property.hpp"
 #include "fix_gravity.h"
 #include "force.h"

@@ -27,7 +27,7 @@ std::optional<Misfit> misfit_of(const PluginDescriptor& plugin)
                       "build the plug-in anew with the interphase that is to load it"};
 
     std::string differences;
-    for (const BuildFact& ours : build_facts) {
+    for (const BuildFact& ours : build_facts()) {
         const BuildFact* theirs = fact_of(plugin, ours.what);
         const std::string found = theirs ? value_of(*theirs) : "not told";
         if (found == value_of(ours)) continue;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "engines/liggghts/plugin.hpp"
+#include "plugin/plugin.hpp"
 
 namespace interphase {
 

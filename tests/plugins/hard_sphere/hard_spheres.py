@@ -81,7 +81,7 @@ class Scene:
     processors: str = "* 1 1"
     skin: float = 0.002
     fixes: str = "fix hs all tdhs {words}\n"
-    thermo: str = "step atoms ke f_hs[1] f_hs[2] f_hs[3]"
+    thermo: str = "step atoms ke v_hs_pairs v_hs_binary_collisions v_hs_cluster_contacts"
     properties: dict = field(default_factory=dict)
 
     def matrix(self, value):

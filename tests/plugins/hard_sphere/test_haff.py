@@ -36,7 +36,7 @@ def gas(solid_fraction, e, seed=1):
     velocity /= numpy.sqrt((velocity**2).sum(axis=1).mean() / 3)
     edge = float(spacing * EDGE)
     return Scene(Spheres(DIAMETER, position, velocity), (0.0, 0.0, 0.0), (edge, edge, edge), e=e, types=2, boundary="p p p",
-                 skin=0.5 * DIAMETER, words="resting_speed 0", thermo="step atoms ke f_hs[2] f_hs[3]")  # fmt: skip
+                 skin=0.5 * DIAMETER, words="resting_speed 0", thermo="step atoms ke v_hs_binary_collisions v_hs_cluster_contacts")  # fmt: skip
 
 
 def collision_frequency(solid_fraction):
@@ -90,7 +90,7 @@ class Billiard(HardSphereTest):
         position = (numpy.stack([k.ravel() for k in numpy.mgrid[0:5, 0:5, 0:4]], axis=1) + 0.5) * 0.02
         walls = tuple(f"primitive type 2 {axis}plane {at}" for axis in "xyz" for at in (0.0, edge))
         scene = Scene(Spheres(diameter, position, draw.normal(size=(n, 3))), (-0.01,) * 3, (0.11,) * 3, e=1, walls=walls,
-                      thermo="step atoms ke f_hs[2] f_hs[3]")  # fmt: skip
+                      thermo="step atoms ke v_hs_binary_collisions v_hs_cluster_contacts")  # fmt: skip
         table = self.run_scene(scene, step, steps, every=steps, thermo_every=1).thermo()
         self.assertEqual(len(table), steps + 1)
         change = numpy.diff(table[:, 2]) / table[0, 2]

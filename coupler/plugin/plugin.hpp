@@ -11,7 +11,10 @@
 
 #include <mpi.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <iterator>
 #include <type_traits>
 
 #include "atom.h"
@@ -26,7 +29,8 @@
 #include "neigh_request.h"
 #include "neighbor.h"
 #include "pointers.h"
-#include "step/solid_stress.hpp"
+#include "plugin/fingerprint.hpp"
+#include "plugin/solid_stress.hpp"
 #include "update.h"
 
 namespace interphase {
@@ -71,7 +75,7 @@ using PluginEntryPoint = const PluginDescriptor* (*)();
 constexpr const char* extract_solid_step_limit = "solid_step_limit";
 
 /// SolidStress* (exactly that type, as void*): what the fix wants to know of the solids' stress on the gas mesh, see
-/// step/solid_stress.hpp. At most one fix asks for it. It lives as long as the fix.
+/// plugin/solid_stress.hpp. At most one fix asks for it. It lives as long as the fix.
 constexpr const char* extract_solid_stress = "solid_stress";
 
 /// int*: not 0 where the fix, in gas steps of one solid step, wants to begin with the forces of the new gas, so that
@@ -114,28 +118,47 @@ constexpr const char* extract_moves_before_forces = "moves_before_forces";
 #define INTERPHASE_LIBRARY_ABI -1
 #endif
 
-/// What this translation unit is built against. INTERPHASE_LIGGGHTS_VERSION comes with CMake's LIGGGHTS::liggghts.
-constexpr BuildFact build_facts[] = {
-    {"LIGGGHTS", INTERPHASE_LIGGGHTS_VERSION, 0},
-    {"compiler", INTERPHASE_COMPILER, 0},
-    {"MPI", INTERPHASE_MPI, 0},
-    {"C++ ABI (__GXX_ABI_VERSION)", nullptr, __GXX_ABI_VERSION},
-    {"C++ library ABI (_GLIBCXX_USE_CXX11_ABI)", nullptr, INTERPHASE_LIBRARY_ABI},
-    {"size of bigint [bytes]", nullptr, sizeof(LAMMPS_NS::bigint)},
-    {"size of tagint [bytes]", nullptr, sizeof(LAMMPS_NS::tagint)},
-    {"size of LAMMPS [bytes]", nullptr, sizeof(LAMMPS_NS::LAMMPS)},
-    {"size of Pointers [bytes]", nullptr, sizeof(LAMMPS_NS::Pointers)},
-    {"size of Fix [bytes]", nullptr, sizeof(LAMMPS_NS::Fix)},
-    {"size of Atom [bytes]", nullptr, sizeof(LAMMPS_NS::Atom)},
-    {"size of Comm [bytes]", nullptr, sizeof(LAMMPS_NS::Comm)},
-    {"size of Domain [bytes]", nullptr, sizeof(LAMMPS_NS::Domain)},
-    {"size of Force [bytes]", nullptr, sizeof(LAMMPS_NS::Force)},
-    {"size of Modify [bytes]", nullptr, sizeof(LAMMPS_NS::Modify)},
-    {"size of Neighbor [bytes]", nullptr, sizeof(LAMMPS_NS::Neighbor)},
-    {"size of NeighList [bytes]", nullptr, sizeof(LAMMPS_NS::NeighList)},
-    {"size of NeighRequest [bytes]", nullptr, sizeof(LAMMPS_NS::NeighRequest)},
-    {"size of Update [bytes]", nullptr, sizeof(LAMMPS_NS::Update)},
-};
+/// What this translation unit is built against. INTERPHASE_LIGGGHTS_VERSION comes with CMake's LIGGGHTS::liggghts. Static,
+/// for a plug-in must not be handed the program's.
+static inline auto build_facts()
+{
+    const BuildFact facts[] = {
+        {"LIGGGHTS", INTERPHASE_LIGGGHTS_VERSION, 0},
+        {"compiler", INTERPHASE_COMPILER, 0},
+        {"MPI", INTERPHASE_MPI, 0},
+        {"C++ ABI (__GXX_ABI_VERSION)", nullptr, __GXX_ABI_VERSION},
+        {"C++ library ABI (_GLIBCXX_USE_CXX11_ABI)", nullptr, INTERPHASE_LIBRARY_ABI},
+        {"size of bigint [bytes]", nullptr, sizeof(LAMMPS_NS::bigint)},
+        {"size of tagint [bytes]", nullptr, sizeof(LAMMPS_NS::tagint)},
+        {"size of LAMMPS [bytes]", nullptr, sizeof(LAMMPS_NS::LAMMPS)},
+        {"size of Pointers [bytes]", nullptr, sizeof(LAMMPS_NS::Pointers)},
+        {"size of Fix [bytes]", nullptr, sizeof(LAMMPS_NS::Fix)},
+        {"size of Atom [bytes]", nullptr, sizeof(LAMMPS_NS::Atom)},
+        {"size of Comm [bytes]", nullptr, sizeof(LAMMPS_NS::Comm)},
+        {"size of Domain [bytes]", nullptr, sizeof(LAMMPS_NS::Domain)},
+        {"size of Force [bytes]", nullptr, sizeof(LAMMPS_NS::Force)},
+        {"size of Modify [bytes]", nullptr, sizeof(LAMMPS_NS::Modify)},
+        {"size of Neighbor [bytes]", nullptr, sizeof(LAMMPS_NS::Neighbor)},
+        {"size of NeighList [bytes]", nullptr, sizeof(LAMMPS_NS::NeighList)},
+        {"size of NeighRequest [bytes]", nullptr, sizeof(LAMMPS_NS::NeighRequest)},
+        {"size of Update [bytes]", nullptr, sizeof(LAMMPS_NS::Update)},
+        {"size of StressState [bytes]", nullptr, sizeof(StressState)},
+        {"members of StressState (fingerprint)", nullptr,
+         fingerprint_of(&StressState::gradient, &StressState::solid_fraction, &StressState::mean_velocity,
+                        &StressState::closing_speed, &StressState::cell_size, &StressState::relaxation_time,
+                        &StressState::change)},
+        {"size of StepTooLong [bytes]", nullptr, sizeof(StepTooLong)},
+        {"members of StepTooLong (fingerprint)", nullptr,
+         fingerprint_of(&StepTooLong::crossing_cells, &StepTooLong::beyond_relaxation, &StepTooLong::longest)},
+        {"size of SolidStress [bytes]", nullptr, sizeof(SolidStress)},
+        {"functions of SolidStress (fingerprint)", nullptr,
+         fingerprint_of(&SolidStress::stress, &SolidStress::close_packing, &SolidStress::refuses_overfilled_start,
+                        &SolidStress::states, &SolidStress::begin, &SolidStress::complaint)},
+    };
+    std::array<BuildFact, std::size(facts)> copy;
+    std::copy(std::begin(facts), std::end(facts), copy.begin());
+    return copy;
+}
 
 template <class FixStyle>
 LAMMPS_NS::Fix* create(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
@@ -151,12 +174,9 @@ LAMMPS_NS::Fix* create(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     extern "C" __attribute__((visibility("default"))) const interphase::PluginDescriptor* interphase_plugin() \
     {                                                                                                         \
         static constexpr interphase::PluginStyle styles[] = {__VA_ARGS__};                                    \
-        static constexpr interphase::PluginDescriptor descriptor{                                             \
-            interphase::plugin_interface_version,                                                             \
-            sizeof interphase::build_facts / sizeof interphase::build_facts[0],                               \
-            interphase::build_facts,                                                                          \
-            plugin_name,                                                                                      \
-            sizeof styles / sizeof styles[0],                                                                 \
-            styles};                                                                                          \
+        static const auto facts = interphase::build_facts();                                                  \
+        static const interphase::PluginDescriptor descriptor{                                                 \
+            interphase::plugin_interface_version, facts.size(), facts.data(), plugin_name,                    \
+            sizeof styles / sizeof styles[0],     styles};                                                    \
         return &descriptor;                                                                                   \
     }
