@@ -68,7 +68,7 @@ void Communicator::fail_together(const std::optional<Problem>& problem) const
     MPI_Allreduce(MPI_IN_PLACE, &lowest, 1, MPI_INT, MPI_MIN, comm_);
     if (lowest == size_) return;
     Problem told = problem.value_or(Problem{});
-    for (std::string* words : {&told.what, &told.where, &told.remedy, &told.when})
+    for (std::string* words : {&told.what, &told.where, &told.remedy, &told.when, &told.step})
         spread(*words, lowest);
     throw UserError(told);
 }

@@ -8,7 +8,8 @@ namespace interphase {
 /// Something the user can put right: what is wrong (with the value), where, what to do, and where it matters when.
 struct Problem {
     std::string what, where, remedy;
-    std::string when = "";
+    std::string when = "";  ///< it went wrong, and for how long
+    std::string step = "";  ///< in which it ended the run
 
     /// As a user reads it: what, and a line for each of the others that says something.
     std::string message() const
@@ -17,16 +18,10 @@ struct Problem {
         if (!where.empty()) all += "\n  where:  " + where;
         if (!when.empty()) all += "\n  when:   " + when;
         if (!remedy.empty()) all += "\n  remedy: " + remedy;
+        if (!step.empty()) all += "\n  when:   " + step;
         return all;
     }
 };
-
-/// Adds a time to the ones that the problem tells already.
-inline Problem at_time(Problem problem, const std::string& when)
-{
-    problem.when += (problem.when.empty() ? "" : ", ") + when;
-    return problem;
-}
 
 /// Two told at once, each with its lines.
 inline Problem followed_by(const Problem& first, Problem second)

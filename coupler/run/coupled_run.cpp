@@ -164,8 +164,9 @@ void CoupledRun::step()
             with_foam_errors([&] { coupling_->advance(planned.duration, planned.substeps); });
         } catch (const UserError& error) {
             // OpenFOAM chokes on numbers that are not finite before the step gets to its own check
-            throw UserError(at_time(gas_->trouble().value_or(error.problem()),
-                                    "in the gas step from t = " + text(start) + " s to " + text(case_.time()) + " s"));
+            Problem problem = gas_->trouble().value_or(error.problem());
+            problem.step = "in the gas step from t = " + text(start) + " s to " + text(case_.time()) + " s";
+            throw UserError(problem);
         }
     } else {
         stopwatch_.switch_to(Phase::solids);

@@ -63,7 +63,7 @@ TEST(FailTogether, StaysQuietWithoutAProblem) { EXPECT_FALSE(told(std::nullopt))
 
 TEST(FailTogether, AllRanksThrowTheOnlyFailingRanksProblem)
 {
-    const Problem of_last{"a problem on the last rank", "there", "none", "now"};
+    const Problem of_last{"a problem on the last rank", "there", "none", "now", "in this step"};
     const int last = world().size() - 1;
     const auto problem = told(world().rank() == last ? std::optional(of_last) : std::nullopt);
     ASSERT_TRUE(problem);
@@ -71,6 +71,7 @@ TEST(FailTogether, AllRanksThrowTheOnlyFailingRanksProblem)
     EXPECT_EQ(problem->where, of_last.where);
     EXPECT_EQ(problem->remedy, of_last.remedy);
     EXPECT_EQ(problem->when, of_last.when);
+    EXPECT_EQ(problem->step, of_last.step);
 }
 
 TEST(FailTogether, OfSeveralAllRanksThrowTheLowestRanksProblem)

@@ -25,15 +25,12 @@ TEST(Problem, LeavesOutWhatItDoesNotKnow)
     EXPECT_EQ((Problem{"no step\n  remedy: none", "", ""}).message(), "no step\n  remedy: none");
 }
 
-TEST(Problem, SaysWhenBeforeTheRemedy)
+TEST(Problem, SaysSinceWhenBeforeTheRemedyAndTheStepAtTheEnd)
 {
-    EXPECT_EQ(at_time({"it swings", "everywhere", "wait"}, "t = 1 s").message(),
-              "it swings\n  where:  everywhere\n  when:   t = 1 s\n  remedy: wait");
-}
-
-TEST(Problem, KeepsTheTimesThatItTells)
-{
-    EXPECT_EQ(at_time(at_time(density, "t = 1 s"), "in a gas step").when, "t = 1 s, in a gas step");
+    EXPECT_EQ((Problem{"it swings", "everywhere", "wait", "for 24 gas steps", "in the gas step from t = 1 s to 2 s"})
+                  .message(),
+              "it swings\n  where:  everywhere\n  when:   for 24 gas steps\n  remedy: wait\n"
+              "  when:   in the gas step from t = 1 s to 2 s");
 }
 
 TEST(Problem, TwoAreToldOneAfterTheOther)
