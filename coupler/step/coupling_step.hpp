@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "forces/drag/drag_law.hpp"
+#include "base/stopwatch.hpp"
 #include "exchange/home_search.hpp"
 #include "exchange/visits.hpp"
+#include "forces/drag/drag_law.hpp"
 #include "mapping/mapping.hpp"
 #include "momentum/drag_response.hpp"
 #include "momentum/ledger.hpp"
-#include "base/stopwatch.hpp"
 #include "settings/settings.hpp"
 #include "step/gas.hpp"
 #include "step/solids.hpp"

@@ -9,8 +9,8 @@
 #include "OSspecific.H"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
-#include "forces/drag/drag_law.hpp"
 #include "engines/openfoam/dictionary_reader.hpp"
+#include "forces/drag/drag_law.hpp"
 #include "vector.H"
 
 namespace interphase {
