@@ -6,6 +6,7 @@
 
 #include "base/text.hpp"
 #include "base/user_error.hpp"
+#include "records/provenance.hpp"
 
 namespace interphase {
 
@@ -86,7 +87,7 @@ CoupledRun::CoupledRun(int& argc, char**& argv)
 void CoupledRun::describe_run()
 {
     const std::optional<double> contact = solids_->contact_duration();
-    report_.head({{"interphase", solids_->version() + ", OpenFOAM " + case_.version()},
+    report_.head({{"interphase", solids_->version() + ", OpenFOAM " + FoamCase::version()},
                   {"case", case_.name()},
                   {"method", name_of(settings_.method)},
                   {"particles", numbers_of(at_start_)},
@@ -110,7 +111,10 @@ void CoupledRun::describe_run()
     meta.describe("/meta", "solid_step", clock_.solid_step());
     meta.describe("/meta", "gas_step", gas_step_);
     meta.describe("/meta", "drag_law", settings_.drag_law);
-    meta.describe("/meta", "versions", "interphase 0.1, " + solids_->version() + ", OpenFOAM " + case_.version());
+    const Version version = this_version();
+    meta.describe("/meta", "versions",
+                  name_and_number(version) + ", " + solids_->version() + ", OpenFOAM " + FoamCase::version());
+    if (comm_.is_master()) record_provenance(meta, version, case_inputs(".", settings_.script, settings_.variables));
     if (!gas_) return;
     meta.describe_box("/meta", "domain", gas_->bounds());
     const Vector g = gas_->gravity();
