@@ -62,9 +62,19 @@ public:
     void SetUp() override
     {
         setenv("FOAM_SIGFPE", "false", 0);  // as the program does
+        int there = 0;
+        MPI_Initialized(&there);  // by the main function of tests on several ranks
+        if (there) return;
         MPI_Init(nullptr, nullptr);
+        started_here_ = true;
     }
-    void TearDown() override { MPI_Finalize(); }
+    void TearDown() override
+    {
+        if (started_here_) MPI_Finalize();
+    }
+
+private:
+    bool started_here_ = false;
 };
 
 inline testing::Environment* const mpi_session = testing::AddGlobalTestEnvironment(new MpiSession);
@@ -72,23 +82,42 @@ inline testing::Environment* const mpi_session = testing::AddGlobalTestEnvironme
 /// Gravity is zero: p and p_rgh are the same.
 class GasCase {
 public:
+    /// All of the mesh on this rank.
     explicit GasCase(const Scene& scene) : scene_(scene), start_folder_(std::filesystem::current_path())
     {
-        std::string pattern = (std::filesystem::temp_directory_path() / "gas_case.XXXXXX").string();
-        if (!mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder " + pattern);
-        folder_ = pattern;
+        make_folder();
         write_case();
-        const std::string log = folder_ + "/log.blockMesh";
-        if (std::system(("blockMesh -case " + folder_ + " > " + log + " 2>&1").c_str()) != 0)
-            throw std::runtime_error("blockMesh failed, see " + log);
-        arguments_[2] = folder_;
-        for (std::size_t i = 0; i < arguments_.size(); ++i)
-            argument_pointers_[i] = arguments_[i].data();
-        argument_list_ = argument_pointers_.data();
-        foam_ = std::make_unique<FoamCase>(argument_count_, argument_list_);
-        Settings settings;
-        settings.gas = GasModel::pimple;
-        gas_ = foam_->make_gas(settings);
+        execute("blockMesh");
+        open();
+    }
+
+    /// A part of the mesh on each rank of several: cell by cell the rank that has it, in blockMesh's order. Collective,
+    /// as the members are then.
+    GasCase(const Scene& scene, const std::vector<int>& rank_of_cell)
+        : scene_(scene), start_folder_(std::filesystem::current_path()), shared_(true)
+    {
+        int rank = 0, ranks = 1;
+        MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+        MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+        if (rank == 0) {
+            make_folder();
+            write_case();
+            write("system/decomposeParDict", "dictionary",
+                  "numberOfSubdomains " + std::to_string(ranks) +
+                      "; method manual; manualCoeffs { dataFile \"rankOfCell\"; }");
+            std::string list;
+            for (const int owner : rank_of_cell)
+                list += std::to_string(owner) + " ";
+            write("constant/rankOfCell", "labelList", "(" + list + ")");
+            execute("blockMesh");
+            execute("decomposePar");
+        }
+        int length = static_cast<int>(folder_.size());
+        MPI_Bcast(&length, 1, MPI_INT, 0, MPI_COMM_WORLD);
+        folder_.resize(static_cast<std::size_t>(length));
+        MPI_Bcast(folder_.data(), length, MPI_CHAR, 0, MPI_COMM_WORLD);
+        arguments_.emplace_back("-parallel");
+        open();
     }
 
     ~GasCase()
@@ -96,8 +125,11 @@ public:
         gas_.reset();
         foam_.reset();
         std::filesystem::current_path(start_folder_);
+        int rank = 0;
+        if (shared_) MPI_Barrier(MPI_COMM_WORLD);
+        if (shared_) MPI_Comm_rank(MPI_COMM_WORLD, &rank);
         std::error_code ignored;
-        std::filesystem::remove_all(folder_, ignored);
+        if (rank == 0) std::filesystem::remove_all(folder_, ignored);
     }
 
     GasCase(const GasCase&) = delete;
@@ -157,9 +189,40 @@ public:
     Scalars pressure_gradients() const { return gas_->pressure_gradient(); }
     Scalars gradient(const Scalars& of_cells) const { return gas_->gradient(of_cells); }
     Scalars stretching(const Scalars& flow) const { return gas_->stretching(flow); }
+    Scalars outflows() const { return gas_->outflow(); }
+    Crossing crossing() const { return gas_->crossing(); }
+    const CellLocator& locator() const { return gas_->locator(); }
     double pressure(std::size_t c) const { return gas_->pressure_at(centre(c)); }
 
 private:
+    void make_folder()
+    {
+        std::string pattern = (std::filesystem::temp_directory_path() / "gas_case.XXXXXX").string();
+        if (!mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder " + pattern);
+        folder_ = pattern;
+    }
+
+    void execute(const std::string& program) const
+    {
+        const std::string log = folder_ + "/log." + program;
+        if (std::system((program + " -case " + folder_ + " > " + log + " 2>&1").c_str()) != 0)
+            throw std::runtime_error(program + " failed, see " + log);
+    }
+
+    void open()
+    {
+        arguments_[2] = folder_;
+        for (std::string& argument : arguments_)
+            argument_pointers_.push_back(argument.data());
+        argument_pointers_.push_back(nullptr);
+        argument_count_ = static_cast<int>(arguments_.size());
+        argument_list_ = argument_pointers_.data();
+        foam_ = std::make_unique<FoamCase>(argument_count_, argument_list_);
+        Settings settings;
+        settings.gas = GasModel::pimple;
+        gas_ = foam_->make_gas(settings);
+    }
+
     void write_case() const
     {
         namespace fs = std::filesystem;
@@ -269,9 +332,10 @@ private:
     Scene scene_;
     std::string folder_;
     std::filesystem::path start_folder_;
-    std::array<std::string, 3> arguments_{"gas_case", "-case", ""};
-    std::array<char*, 4> argument_pointers_{};
-    int argument_count_ = 3;
+    bool shared_ = false;  ///< whether the folder is that of all ranks
+    std::vector<std::string> arguments_{"gas_case", "-case", ""};
+    std::vector<char*> argument_pointers_;
+    int argument_count_ = 0;
     char** argument_list_ = nullptr;
     std::unique_ptr<FoamCase> foam_;
     std::unique_ptr<FoamGas> gas_;
