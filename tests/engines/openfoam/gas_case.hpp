@@ -54,6 +54,9 @@ struct Scene {
     int correctors = 2;
     double pressure_tolerance = 1e-12;
     VectorField velocity = [](const Vector&) { return Vector(0, 0, 0); };  ///< at the start [m/s]
+
+    /// Writes another mesh than the box into the folder polyMesh; the gas is at rest then.
+    std::function<void(const std::string&)> write_mesh;
 };
 
 /// GoogleTest's own main does not know MPI, which the case asks for the number of its ranks.
@@ -87,7 +90,7 @@ public:
     {
         make_folder();
         write_case();
-        execute("blockMesh");
+        make_mesh();
         open();
     }
 
@@ -109,7 +112,7 @@ public:
             for (const int owner : rank_of_cell)
                 list += std::to_string(owner) + " ";
             write("constant/rankOfCell", "labelList", "(" + list + ")");
-            execute("blockMesh");
+            make_mesh();
             execute("decomposePar");
         }
         int length = static_cast<int>(folder_.size());
@@ -192,6 +195,7 @@ public:
     Scalars outflows() const { return gas_->outflow(); }
     Crossing crossing() const { return gas_->crossing(); }
     const CellLocator& locator() const { return gas_->locator(); }
+    const Scalars& volumes() const { return gas_->mesh().volume; }
     double pressure(std::size_t c) const { return gas_->pressure_at(centre(c)); }
 
 private:
@@ -200,6 +204,14 @@ private:
         std::string pattern = (std::filesystem::temp_directory_path() / "gas_case.XXXXXX").string();
         if (!mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder " + pattern);
         folder_ = pattern;
+    }
+
+    void make_mesh() const
+    {
+        if (scene_.write_mesh)
+            scene_.write_mesh(folder_ + "/constant/polyMesh");
+        else
+            execute("blockMesh");
     }
 
     void execute(const std::string& program) const
@@ -251,8 +263,8 @@ private:
         write("constant/g", "uniformDimensionedVectorField", "dimensions [0 1 -2 0 0 0 0]; value (0 0 0);");
         write("system/blockMeshDict", "dictionary", mesh_description());
         write("0/U", "volVectorField",
-              "dimensions [0 1 -1 0 0 0 0]; internalField nonuniform List<vector> " + initial_velocity() +
-                  "; boundaryField { " + conditions(&Sides::velocity) + "}");
+              "dimensions [0 1 -1 0 0 0 0]; internalField " + initial_velocity() + "; boundaryField { " +
+                  conditions(&Sides::velocity) + "}");
         write("0/p_rgh", "volScalarField",
               "dimensions [1 -1 -2 0 0 0 0]; internalField uniform 0; boundaryField { " + conditions(&Sides::pressure) +
                   "}");
@@ -281,8 +293,9 @@ private:
     /// blockMesh numbers a block's cells along x first, then y, then z.
     std::string initial_velocity() const
     {
-        std::string list = "(";
+        std::string list = "nonuniform List<vector> (";
         const auto& n = scene_.cells;
+        if (scene_.write_mesh) return "uniform (0 0 0)";
         for (int k = 0; k < n[2]; ++k)
             for (int j = 0; j < n[1]; ++j)
                 for (int i = 0; i < n[0]; ++i) {
@@ -299,6 +312,7 @@ private:
 
     std::string conditions(std::array<std::string, 2> Sides::*which) const
     {
+        if (scene_.write_mesh) return "\".*\" { type zeroGradient; } ";
         std::string text;
         for (int axis = 0; axis < 3; ++axis)
             for (int side = 0; side < 2; ++side) {
