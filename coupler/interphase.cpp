@@ -11,13 +11,30 @@
 #include "base/version.hpp"
 #include "engines/openfoam/foam_case.hpp"
 #include "run/coupled_run.hpp"
+#include "settings/key_page.hpp"
+#include "settings/read_settings.hpp"
 
 namespace {
+
+bool asks_for_keys(int argc, char** argv)
+{
+    return argc == 3 && std::string(argv[1]) == "-help" && std::string(argv[2]) == "keys";
+}
+
+void show_keys()
+{
+    int rank = 0;
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    if (rank == 0) std::fputs(interphase::key_page(interphase::setting_keys()).c_str(), stdout);
+}
 
 std::optional<std::string> run(int argc, char** argv)
 {
     try {
-        interphase::CoupledRun(argc, argv).run();
+        if (asks_for_keys(argc, argv))
+            show_keys();
+        else
+            interphase::CoupledRun(argc, argv).run();
         return std::nullopt;
     } catch (const std::exception& error) {
         return error.what();

@@ -31,14 +31,9 @@ Vector Communicator::sum(const Vector& value) const { return reduce(value, MPI_S
 Vector Communicator::max(const Vector& value) const { return reduce(value, MPI_MAX); }
 Vector Communicator::min(const Vector& value) const { return reduce(value, MPI_MIN); }
 
-void Communicator::sum(Scalars& values) const
+void Communicator::combine(double* values, std::size_t count, MPI_Op operation) const
 {
-    MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM, comm_);
-}
-
-void Communicator::max(Scalars& values) const
-{
-    MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX, comm_);
+    MPI_Allreduce(MPI_IN_PLACE, values, static_cast<int>(count), MPI_DOUBLE, operation, comm_);
 }
 
 long Communicator::sum(long value) const
@@ -59,17 +54,23 @@ Scalars Communicator::all_gather(const Scalars& mine) const
     return all;
 }
 
-void Communicator::fail_together(const std::optional<std::string>& problem) const
+void Communicator::spread(std::string& words, int from) const
+{
+    int length = static_cast<int>(words.size());
+    MPI_Bcast(&length, 1, MPI_INT, from, comm_);
+    words.resize(static_cast<std::size_t>(length));
+    MPI_Bcast(words.data(), length, MPI_CHAR, from, comm_);
+}
+
+void Communicator::fail_together(const std::optional<Problem>& problem) const
 {
     int lowest = problem ? rank_ : size_;
     MPI_Allreduce(MPI_IN_PLACE, &lowest, 1, MPI_INT, MPI_MIN, comm_);
     if (lowest == size_) return;
-    std::string message = problem.value_or("");
-    int length = static_cast<int>(message.size());
-    MPI_Bcast(&length, 1, MPI_INT, lowest, comm_);
-    message.resize(static_cast<std::size_t>(length));
-    MPI_Bcast(message.data(), length, MPI_CHAR, lowest, comm_);
-    throw UserError(message);
+    Problem told = problem.value_or(Problem{});
+    for (std::string* words : {&told.what, &told.where, &told.remedy, &told.when})
+        spread(*words, lowest);
+    throw UserError(told);
 }
 
 }  // namespace interphase

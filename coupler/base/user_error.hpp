@@ -3,19 +3,24 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
+
+#include "base/problem.hpp"
 
 namespace interphase {
 
-/// Something the user can put right. Says what is wrong (with the value), where, and what to do; the program prints
-/// it once and ends with exit code 1.
+/// A problem that ends the run: the program prints it once and ends with exit code 1.
 class UserError : public std::runtime_error {
 public:
+    explicit UserError(Problem problem) : std::runtime_error(problem.message()), problem_(std::move(problem)) {}
     UserError(const std::string& what, const std::string& where, const std::string& remedy)
-        : std::runtime_error(what + "\n  where:  " + where + "\n  remedy: " + remedy)
+        : UserError(Problem{what, where, remedy})
     {}
 
-    /// A message that another rank has put together.
-    explicit UserError(const std::string& message) : std::runtime_error(message) {}
+    const Problem& problem() const { return problem_; }
+
+private:
+    Problem problem_;
 };
 
 }  // namespace interphase

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exchange/home_search.hpp"
 
+#include <utility>
+
 #include "exchange/sparse_exchange.hpp"
 
 namespace interphase {
@@ -9,6 +11,17 @@ namespace {
 
 /// A walk that passes from rank to rank more often than this has lost its way; the particle is searched for instead.
 constexpr int most_hand_overs = 8;
+
+/// Is the particle at this position in your cell, or near it? The answer is a CellAddress.
+struct WalkQuestion {
+    double position[3];
+    int start;  ///< the asked rank's cell
+};
+
+/// Is it anywhere in your part of the mesh?
+struct SearchQuestion {
+    double position[3];
+};
 
 }  // namespace
 
@@ -56,13 +69,14 @@ HomeSearch::Slots HomeSearch::walk_from_last_homes(const VectorsView& positions,
     SparseExchange exchange(comm_);
     for (int round = 0;; ++round) {
         std::vector<int> counts;
-        Scalars questions;
+        std::vector<WalkQuestion> questions;
         Slots order;
         for (Slots& slots : asked) {
             counts.push_back(static_cast<int>(slots.size()));
             for (const std::size_t slot : slots) {
-                const Vector x = positions.col(static_cast<Eigen::Index>(slot));
-                questions.insert(questions.end(), {x.x(), x.y(), x.z(), static_cast<double>(homes[slot].cell)});
+                questions.emplace_back();
+                set(questions.back().position, positions.col(static_cast<Eigen::Index>(slot)));
+                questions.back().start = homes[slot].cell;
                 order.push_back(slot);
             }
             slots.clear();
@@ -70,18 +84,12 @@ HomeSearch::Slots HomeSearch::walk_from_last_homes(const VectorsView& positions,
         if (!comm_.any(!order.empty())) break;
 
         exchange.plan(counts);
-        const Scalars arrived = exchange.forward(questions, 4);
-        Scalars answers;
-        answers.reserve(exchange.received() * 2);
-        for (std::size_t i = 0; i < exchange.received(); ++i) {
-            const double* q = &arrived[4 * i];
-            const CellAddress address = walk_or_search({q[0], q[1], q[2]}, static_cast<int>(q[3]));
-            answers.insert(answers.end(), {static_cast<double>(address.rank), static_cast<double>(address.cell)});
-        }
-        const Scalars found = exchange.backward(answers, 2);
+        std::vector<CellAddress> answers;
+        for (const WalkQuestion& asked_here : exchange.forward(std::move(questions)))
+            answers.push_back(walk_or_search(to_vector(asked_here.position), asked_here.start));
+        const std::vector<CellAddress> found = exchange.backward(std::move(answers));
         for (std::size_t i = 0; i < order.size(); ++i) {
-            const CellAddress asked_for = homes[order[i]];
-            const CellAddress address{static_cast<int>(found[2 * i]), static_cast<int>(found[2 * i + 1])};
+            const CellAddress asked_for = homes[order[i]], address = found[i];
             if (address.known() && address.rank == asked_for.rank)
                 homes[order[i]] = address;  // that rank has it
             else if (address.known() && address.rank == me)
@@ -90,42 +98,39 @@ HomeSearch::Slots HomeSearch::walk_from_last_homes(const VectorsView& positions,
                 settle(order[i], round < most_hand_overs ? address : CellAddress{});
         }
     }
-    doubles_sent_ += exchange.doubles_sent();
+    bytes_sent_ += exchange.bytes_sent();
     return lost;
 }
 
 void HomeSearch::search_everywhere(const VectorsView& positions, const Slots& lost, std::vector<CellAddress>& homes)
 {
     std::vector<int> counts;
-    Scalars questions;
+    std::vector<SearchQuestion> questions;
     Slots order;
     for (int rank = 0; rank < comm_.size(); ++rank) {
         const std::size_t before = order.size();
         for (const std::size_t slot : lost) {
             const Vector x = positions.col(static_cast<Eigen::Index>(slot));
             if (!contains(bounds_[static_cast<std::size_t>(rank)], x)) continue;
-            questions.insert(questions.end(), {x.x(), x.y(), x.z()});
+            questions.emplace_back();
+            set(questions.back().position, x);
             order.push_back(slot);
         }
         counts.push_back(static_cast<int>(order.size() - before));
     }
     SparseExchange exchange(comm_);
     exchange.plan(counts);
-    const Scalars arrived = exchange.forward(questions, 3);
-    Scalars answers;
-    for (std::size_t i = 0; i < exchange.received(); ++i) {
-        const CellAddress address = locator_.search({arrived[3 * i], arrived[3 * i + 1], arrived[3 * i + 2]});
-        answers.insert(answers.end(), {static_cast<double>(address.rank), static_cast<double>(address.cell)});
-    }
-    const Scalars found = exchange.backward(answers, 2);
+    std::vector<CellAddress> answers;
+    for (const SearchQuestion& asked_here : exchange.forward(std::move(questions)))
+        answers.push_back(locator_.search(to_vector(asked_here.position)));
+    const std::vector<CellAddress> found = exchange.backward(std::move(answers));
     for (const std::size_t slot : lost)
         homes[slot] = CellAddress{};
     for (std::size_t i = 0; i < order.size(); ++i) {  // of several, the lowest rank's cell
         CellAddress& home = homes[order[i]];
-        if (!home.known() && found[2 * i] >= 0)
-            home = {static_cast<int>(found[2 * i]), static_cast<int>(found[2 * i + 1])};
+        if (!home.known()) home = found[i];
     }
-    doubles_sent_ += exchange.doubles_sent();
+    bytes_sent_ += exchange.bytes_sent();
 }
 
 }  // namespace interphase

@@ -21,8 +21,8 @@ public:
     /// Collective.
     void update(const VectorsView& positions, std::vector<CellAddress>& homes);
 
-    /// Doubles this rank has sent to others so far.
-    std::size_t doubles_sent() const { return doubles_sent_; }
+    /// Bytes this rank has sent to others so far.
+    std::size_t bytes_sent() const { return bytes_sent_; }
 
 private:
     using Slots = std::vector<std::size_t>;
@@ -34,7 +34,7 @@ private:
     Communicator comm_;
     const CellLocator& locator_;
     std::vector<Box> bounds_;  ///< of each rank's part of the mesh
-    std::size_t doubles_sent_ = 0;
+    std::size_t bytes_sent_ = 0;
 };
 
 }  // namespace interphase

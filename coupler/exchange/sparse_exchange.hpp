@@ -2,13 +2,15 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "base/communicator.hpp"
+#include "exchange/message.hpp"
 
 namespace interphase {
 
-/// Point-to-point transfer of records of doubles between the ranks that have something for each other.
+/// Point-to-point transfer of records between the ranks that have something for each other: an exchange plan.
 ///
 /// The plan takes one exchange of counts (one integer per pair of ranks); after it every message has a known size and
 /// only ranks with records to share send any. Records to oneself are copied, not sent.
@@ -25,35 +27,30 @@ public:
     std::size_t sent() const { return sent_; }
     std::size_t received() const { return received_; }
 
-    /// Sends `out` (records of `width` doubles, ordered by receiving rank); `in` gets what arrived, ordered by sender.
-    void forward(const Scalars& out, int width, Scalars& in) const
-    {
-        transfer(out, width, send_, receive_, received_, in);
-    }
+    /// Sends a message's records, ordered by receiving rank; they arrive ordered by sender.
+    void forward(const Message& message) const { transfer(message, send_, receive_, received_); }
 
-    /// The way back: one record for each that arrived, returned to where it came from, in the order of forward()'s
-    /// `out`.
-    void backward(const Scalars& out, int width, Scalars& in) const
-    {
-        transfer(out, width, receive_, send_, sent_, in);
-    }
+    /// The way back: one record for each that arrived, returned to where it came from, in the order of forward()'s.
+    void backward(const Message& message) const { transfer(message, receive_, send_, sent_); }
 
-    Scalars forward(const Scalars& out, int width) const
+    template <class Record>
+    std::vector<Record> forward(std::vector<Record> out) const
     {
-        Scalars in;
-        forward(out, width, in);
+        std::vector<Record> in;
+        forward(Message(out, in));
         return in;
     }
 
-    Scalars backward(const Scalars& out, int width) const
+    template <class Record>
+    std::vector<Record> backward(std::vector<Record> out) const
     {
-        Scalars in;
-        backward(out, width, in);
+        std::vector<Record> in;
+        backward(Message(out, in));
         return in;
     }
 
-    /// Doubles that this rank has sent to others so far, over all exchanges of this object.
-    std::size_t doubles_sent() const { return doubles_sent_; }
+    /// Bytes that this rank has sent to others so far, over all exchanges of this object.
+    std::size_t bytes_sent() const { return bytes_sent_; }
 
 private:
     struct Part {
@@ -62,15 +59,15 @@ private:
         std::size_t count;
     };
 
-    void transfer(const Scalars& out, int width, const std::vector<Part>& to, const std::vector<Part>& from,
-                  std::size_t arriving, Scalars& in) const;
+    void transfer(const Message& message, const std::vector<Part>& to, const std::vector<Part>& from,
+                  std::size_t arriving) const;
 
     Communicator comm_;
     std::vector<Part> send_;
     std::vector<Part> receive_;
     std::size_t sent_ = 0;
     std::size_t received_ = 0;
-    mutable std::size_t doubles_sent_ = 0;
+    mutable std::size_t bytes_sent_ = 0;
 };
 
 }  // namespace interphase

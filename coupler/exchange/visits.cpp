@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exchange/visits.hpp"
 
-#include <algorithm>
+#include <utility>
 
 namespace interphase {
 
@@ -15,17 +15,15 @@ void Visits::plan(const std::vector<CellAddress>& homes)
     for (std::size_t rank = 1; rank < counts.size(); ++rank)
         next[rank] = next[rank - 1] + static_cast<std::size_t>(counts[rank - 1]);
     order_.resize(next.back() + static_cast<std::size_t>(counts.back()));
-    Scalars cell_numbers(order_.size());
+    std::vector<int> cells_to_visit(order_.size());
     for (std::size_t i = 0; i < homes.size(); ++i) {
         if (!homes[i].known()) continue;
         const std::size_t place = next[static_cast<std::size_t>(homes[i].rank)]++;
         order_[place] = i;
-        cell_numbers[place] = homes[i].cell;
+        cells_to_visit[place] = homes[i].cell;
     }
     exchange_.plan(counts);
-    const Scalars arrived = exchange_.forward(cell_numbers, 1);
-    cells_.resize(arrived.size());
-    std::transform(arrived.begin(), arrived.end(), cells_.begin(), [](double c) { return static_cast<int>(c); });
+    cells_ = exchange_.forward(std::move(cells_to_visit));
 }
 
 }  // namespace interphase

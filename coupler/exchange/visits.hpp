@@ -24,26 +24,26 @@ public:
     /// This rank's particles that visit a cell, in the order in which their records travel.
     const std::vector<std::size_t>& order() const { return order_; }
 
-    /// Records of `width` doubles per travelling particle, in their order, to the hosts. Where nobody leaves its rank
-    /// the two change places instead of being copied, so count on neither's content but the visitors'.
-    void bring(Scalars& of_travellers, int width, Scalars& of_visitors) const
+    /// A message of records per travelling particle, in their order, to the hosts. Where nobody leaves its rank the two
+    /// ends change places instead of being copied, so count on neither's content but the visitors'.
+    void bring(const Message& message) const
     {
         if (exchange_.stays_home())
-            of_visitors.swap(of_travellers);
+            message.swap_ends();
         else
-            exchange_.forward(of_travellers, width, of_visitors);
+            exchange_.forward(message);
     }
 
     /// Records per visitor back to the travellers; likewise.
-    void take_back(Scalars& of_visitors, int width, Scalars& of_travellers) const
+    void take_back(const Message& message) const
     {
         if (exchange_.stays_home())
-            of_travellers.swap(of_visitors);
+            message.swap_ends();
         else
-            exchange_.backward(of_visitors, width, of_travellers);
+            exchange_.backward(message);
     }
 
-    std::size_t doubles_sent() const { return exchange_.doubles_sent(); }
+    std::size_t bytes_sent() const { return exchange_.bytes_sent(); }
 
 private:
     Communicator comm_;

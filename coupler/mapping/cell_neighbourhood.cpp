@@ -11,12 +11,18 @@ namespace interphase {
 
 struct CellNeighbourhood::Candidates {
     std::vector<int> rank;
-    std::vector<std::size_t> cell;  ///< the owner's number
+    std::vector<int> cell;  ///< the owner's number
 };
 
 namespace {
 
-constexpr int cell_record = 8;  // number, centre, reach, volume
+/// A cell that another rank may want in its halo.
+struct OfferedCell {
+    int rank;    ///< its owner
+    int number;  ///< the owner's
+    double centre[3], reach[3];
+    double volume;
+};
 
 Box reach_box(const Vector& centre, const Vector& half)
 {
@@ -91,33 +97,29 @@ CellNeighbourhood::Candidates CellNeighbourhood::add_reaching_cells_of_others(co
     const Scalars boxes = comm_.all_gather(Scalars(mine.data(), mine.data() + mine.size()));
 
     std::vector<int> counts(static_cast<std::size_t>(comm_.size()), 0);
-    Scalars offered;
+    std::vector<OfferedCell> offered;
     for (int rank = 0; rank < comm_.size(); ++rank) {
         if (rank == comm_.rank()) continue;
         const Box theirs = Eigen::Map<const Box>(boxes.data() + rank * mine.size());
         for (std::size_t c = 0; c < own_count_; ++c) {
             if (!overlap(reach_box(centre_[c], reach_[c]), theirs)) continue;
             ++counts[static_cast<std::size_t>(rank)];
-            offered.push_back(static_cast<double>(c));
-            offered.insert(offered.end(), centre_[c].data(), centre_[c].data() + 3);
-            offered.insert(offered.end(), reach_[c].data(), reach_[c].data() + 3);
-            offered.push_back(volume_[c]);
+            OfferedCell cell{comm_.rank(), static_cast<int>(c), {}, {}, volume_[c]};
+            set(cell.centre, centre_[c]);
+            set(cell.reach, reach_[c]);
+            offered.push_back(cell);
         }
     }
-    // the owner of a record is told by a second record: which rank sent it
     SparseExchange offer(comm_);
     offer.plan(counts);
-    const Scalars arrived = offer.forward(offered, cell_record);
-    const Scalars senders = offer.forward(Scalars(offered.size() / cell_record, comm_.rank()), 1);
 
     Candidates candidates;
-    for (std::size_t i = 0; i < offer.received(); ++i) {
-        const double* record = &arrived[i * cell_record];
-        candidates.rank.push_back(static_cast<int>(senders[i]));
-        candidates.cell.push_back(static_cast<std::size_t>(record[0]));
-        centre_.emplace_back(record[1], record[2], record[3]);
-        reach_.emplace_back(record[4], record[5], record[6]);
-        volume_.push_back(record[7]);
+    for (const OfferedCell& cell : offer.forward(std::move(offered))) {
+        candidates.rank.push_back(cell.rank);
+        candidates.cell.push_back(cell.number);
+        centre_.push_back(to_vector(cell.centre));
+        reach_.push_back(to_vector(cell.reach));
+        volume_.push_back(cell.volume);
     }
     return candidates;
 }
@@ -156,7 +158,7 @@ void CellNeighbourhood::drop_unused_halo(const Candidates& candidates)
         if (renumbered[static_cast<std::size_t>(neighbour)] < 0) renumbered[static_cast<std::size_t>(neighbour)] = 0;
 
     std::vector<int> wanted_of(static_cast<std::size_t>(comm_.size()), 0);
-    Scalars wanted;
+    std::vector<int> wanted;
     std::size_t next = own_count_;
     for (std::size_t i = 0; i < candidates.cell.size(); ++i) {  // candidates come ordered by rank
         const std::size_t local = own_count_ + i;
@@ -167,7 +169,7 @@ void CellNeighbourhood::drop_unused_halo(const Candidates& candidates)
         volume_[next] = volume_[local];
         ++next;
         ++wanted_of[static_cast<std::size_t>(candidates.rank[i])];
-        wanted.push_back(static_cast<double>(candidates.cell[i]));
+        wanted.push_back(candidates.cell[i]);
     }
     centre_.resize(next);
     reach_.resize(next);
@@ -176,8 +178,7 @@ void CellNeighbourhood::drop_unused_halo(const Candidates& candidates)
         neighbour = renumbered[static_cast<std::size_t>(neighbour)];
 
     exchange_.plan(wanted_of);  // those who want ask the owners: values flow backward along this plan
-    const Scalars asked = exchange_.forward(wanted, 1);
-    for (const double cell : asked)
+    for (const int cell : exchange_.forward(std::move(wanted)))
         served_.push_back(static_cast<std::size_t>(cell));
 }
 
@@ -201,29 +202,6 @@ void CellNeighbourhood::sort_into_octants(const MeshView& own)
             }
             first_of_octants_.push_back(of_octants_.size());
         }
-}
-
-void CellNeighbourhood::fill_halo(Scalars& values, int width) const
-{
-    if (comm_.size() == 1) return;
-    const auto w = static_cast<std::size_t>(width);
-    Scalars out(served_.size() * w);
-    for (std::size_t i = 0; i < served_.size(); ++i)
-        std::copy_n(&values[served_[i] * w], w, &out[i * w]);
-    const Scalars in = exchange_.backward(out, width);
-    std::copy(in.begin(), in.end(), values.begin() + static_cast<std::ptrdiff_t>(own_count_ * w));
-}
-
-void CellNeighbourhood::add_halo_to_owners(Scalars& values, int width) const
-{
-    if (comm_.size() == 1) return;
-    const auto w = static_cast<std::size_t>(width);
-    const auto halo = values.begin() + static_cast<std::ptrdiff_t>(own_count_ * w);
-    const Scalars in = exchange_.forward(Scalars(halo, values.end()), width);
-    for (std::size_t i = 0; i < served_.size(); ++i)
-        for (std::size_t k = 0; k < w; ++k)
-            values[served_[i] * w + k] += in[i * w + k];
-    std::fill(halo, values.end(), 0.0);
 }
 
 }  // namespace interphase

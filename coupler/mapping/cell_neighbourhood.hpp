@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "base/communicator.hpp"
+#include "base/numbers.hpp"
 #include "exchange/sparse_exchange.hpp"
 #include "mapping/mesh_view.hpp"
 
@@ -39,13 +41,31 @@ public:
         return {of_octants_.data() + first_of_octants_[list], of_octants_.data() + first_of_octants_[list + 1]};
     }
 
-    /// Sets the halo's part of `values` [local_count() x width] to what the owners have. Collective.
-    void fill_halo(Scalars& values, int width) const;
+    /// Sets the halo's part of `values` [local_count()] to what the owners have. Collective.
+    template <class Record>
+    void fill_halo(std::vector<Record>& values) const
+    {
+        if (comm_.size() == 1) return;
+        std::vector<Record> out(served_.size());
+        for (std::size_t i = 0; i < served_.size(); ++i)
+            out[i] = values[served_[i]];
+        const std::vector<Record> in = exchange_.backward(std::move(out));
+        std::copy(in.begin(), in.end(), values.begin() + static_cast<std::ptrdiff_t>(own_count_));
+    }
 
     /// Adds the halo's part of `values` to the owners' and clears it. Collective.
-    void add_halo_to_owners(Scalars& values, int width) const;
+    template <class Record>
+    void add_halo_to_owners(std::vector<Record>& values) const
+    {
+        if (comm_.size() == 1) return;
+        const auto halo = values.begin() + static_cast<std::ptrdiff_t>(own_count_);
+        const std::vector<Record> in = exchange_.forward(std::vector<Record>(halo, values.end()));
+        for (std::size_t i = 0; i < served_.size(); ++i)
+            numbers(values[served_[i]]) += numbers(in[i]);
+        std::fill(halo, values.end(), Record{});
+    }
 
-    std::size_t doubles_sent() const { return exchange_.doubles_sent(); }
+    std::size_t bytes_sent() const { return exchange_.bytes_sent(); }
 
 private:
     struct Candidates;

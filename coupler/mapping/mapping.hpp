@@ -2,8 +2,8 @@
 #pragma once
 
 #include "mapping/cell_weights.hpp"
+#include "mapping/mapping_type.hpp"
 #include "mapping/packing_limit.hpp"
-#include "settings/settings.hpp"
 
 namespace interphase {
 
@@ -13,21 +13,39 @@ public:
     Mapping(const Communicator& comm, const MeshView& mesh, MappingType type, double kernel_width,
             double maximum_packing);
 
-    /// Computes the weights of the particles that visit this rank: `positions` [n x 3], `cells` [n].
-    void place(const Scalars& positions, const std::vector<int>& cells);
+    /// Computes the weights of the particles that visit this rank: `positions` [n], `cells` [n].
+    void place(const Vectors& positions, const std::vector<int>& cells);
 
     /// Solid volume per cell [m3] from that of each particle, within the packing limit. Fixes the packing hand-over for
     /// this step. Collective.
     Scalars solid_volume(const Scalars& of_particles);
 
-    /// Contents of the own cells, sum_i w_ic q_i [own cells x width]. After solid_volume(). Collective.
-    Scalars to_cells(const Scalars& of_particles, int width) const;
+    /// Contents of the own cells, sum_i w_ic q_i [own cells], of a record of doubles: deposition. After solid_volume().
+    /// Collective.
+    template <class Record>
+    std::vector<Record> to_cells(const std::vector<Record>& of_particles) const
+    {
+        std::vector<Record> content(cells_.local_count(), Record{});
+        weights_.add_to_cells(of_particles, content);
+        cells_.add_halo_to_owners(content);
+        limit_.hand_over(content);
+        content.resize(cells_.own_count());
+        return content;
+    }
 
-    /// Values at the particles, sum_c w_ic q_c [n x width], of own-cell values. After solid_volume(). Collective.
-    void to_particles(const Scalars& of_cells, int width, Scalars& of_particles) const;
+    /// Values at the particles, sum_c w_ic q_c [n], of own-cell values: interpolation, its transpose. After
+    /// solid_volume(). Collective.
+    template <class Record>
+    void to_particles(std::vector<Record> of_cells, std::vector<Record>& of_particles) const
+    {
+        of_cells.resize(cells_.local_count(), Record{});
+        limit_.take_from_receivers(of_cells);
+        cells_.fill_halo(of_cells);
+        weights_.at_particles(of_cells, of_particles);
+    }
 
     long cells_relieved() const { return limit_.cells_relieved(); }
-    std::size_t doubles_sent() const { return cells_.doubles_sent(); }
+    std::size_t bytes_sent() const { return cells_.bytes_sent(); }
 
 private:
     MappingType type_;

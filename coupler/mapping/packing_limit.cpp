@@ -38,21 +38,6 @@ PackingLimit::Pass PackingLimit::transfers_for(const Scalars& solid_volume) cons
     return pass;
 }
 
-void PackingLimit::apply(const Pass& pass, Scalars& content, int width) const
-{
-    const auto w = static_cast<std::size_t>(width);
-    Scalars given(content.size(), 0.0);
-    for (const Transfer& t : pass)
-        for (std::size_t k = 0; k < w; ++k) {
-            const double amount = t.fraction * content[static_cast<std::size_t>(t.from) * w + k];
-            given[static_cast<std::size_t>(t.to) * w + k] += amount;
-            given[static_cast<std::size_t>(t.from) * w + k] -= amount;
-        }
-    cells_.add_halo_to_owners(given, width);
-    for (std::size_t i = 0; i < cells_.own_count() * w; ++i)
-        content[i] += given[i];
-}
-
 void PackingLimit::relieve(Scalars& solid_volume)
 {
     passes_.clear();
@@ -63,48 +48,26 @@ void PackingLimit::relieve(Scalars& solid_volume)
             above = solid_volume[c] > (limit_ + slack) * cells_.volume(c);
         if (!comm_.any(above)) return;
 
-        cells_.fill_halo(solid_volume, 1);
+        cells_.fill_halo(solid_volume);
         passes_.push_back(transfers_for(solid_volume));
         const Pass& pass = passes_.back();
         for (std::size_t i = 0; i < pass.size(); ++i)
             if (n == 0 && (i == 0 || pass[i].from != pass[i - 1].from)) ++cells_relieved_;
-        apply(pass, solid_volume, 1);
+        apply(pass, solid_volume);
     }
 
-    std::optional<std::string> problem;
+    std::optional<Problem> problem;
     for (std::size_t c = 0; c < cells_.own_count() && !problem; ++c) {
         const double packing = solid_volume[c] / cells_.volume(c);
         if (packing > limit_ + slack)
-            problem =
-                "the solid fraction (voidage field) is " + text(packing) + " in cell " + std::to_string(c) +
-                " of rank " + std::to_string(comm_.rank()) + ", above the limit of " + text(limit_) +
-                ", and no neighbour has room\n  where:  at " + text(cells_.centre(c)) +
-                "\n  remedy: check for overlapping particles there (a solid step too large, a stiffness too low), or "
-                "raise mapping/maximumPacking in system/couplingDict";
+            problem = Problem{"the solid fraction (voidage field) is " + text(packing) + " in cell " +
+                                  std::to_string(c) + " of rank " + std::to_string(comm_.rank()) +
+                                  ", above the limit of " + text(limit_) + ", and no neighbour has room",
+                              "at " + text(cells_.centre(c)),
+                              "check for overlapping particles there (a solid step too large, a stiffness too low), or "
+                              "raise mapping/maximumPacking in system/couplingDict"};
     }
     comm_.fail_together(problem);
-}
-
-void PackingLimit::hand_over(Scalars& content, int width) const
-{
-    for (const Pass& pass : passes_)
-        apply(pass, content, width);
-}
-
-void PackingLimit::take_from_receivers(Scalars& values, int width) const
-{
-    const auto w = static_cast<std::size_t>(width);
-    for (auto pass = passes_.rbegin(); pass != passes_.rend(); ++pass) {
-        cells_.fill_halo(values, width);
-        Scalars change(cells_.own_count() * w, 0.0);
-        for (const Transfer& t : *pass)
-            for (std::size_t k = 0; k < w; ++k)
-                change[static_cast<std::size_t>(t.from) * w + k] +=
-                    t.fraction *
-                    (values[static_cast<std::size_t>(t.to) * w + k] - values[static_cast<std::size_t>(t.from) * w + k]);
-        for (std::size_t i = 0; i < change.size(); ++i)
-            values[i] += change[i];
-    }
 }
 
 }  // namespace interphase

@@ -24,11 +24,28 @@ public:
     /// how. Throws a UserError where there is no room left for the excess. Collective.
     void relieve(Scalars& solid_volume);
 
-    /// Does to another content [local_count x width] what relieve() did to the solid volume. Collective.
-    void hand_over(Scalars& content, int width) const;
+    /// Does to another content [local_count] what relieve() did to the solid volume. Collective.
+    template <class Record>
+    void hand_over(std::vector<Record>& content) const
+    {
+        for (const Pass& pass : passes_)
+            apply(pass, content);
+    }
 
-    /// The transpose, for cell values on their way to the particles [local_count x width]. Collective.
-    void take_from_receivers(Scalars& values, int width) const;
+    /// The transpose, for cell values on their way to the particles [local_count]. Collective.
+    template <class Record>
+    void take_from_receivers(std::vector<Record>& values) const
+    {
+        for (auto pass = passes_.rbegin(); pass != passes_.rend(); ++pass) {
+            cells_.fill_halo(values);
+            std::vector<Record> change(cells_.own_count(), Record{});
+            for (const Transfer& t : *pass)
+                numbers(change[index(t.from)]) +=
+                    t.fraction * (numbers(values[index(t.to)]) - numbers(values[index(t.from)]));
+            for (std::size_t c = 0; c < change.size(); ++c)
+                numbers(values[c]) += numbers(change[c]);
+        }
+    }
 
     /// Cells of this rank that were above the limit in the last relieve().
     long cells_relieved() const { return cells_relieved_; }
@@ -41,8 +58,22 @@ private:
     };
     using Pass = std::vector<Transfer>;
 
+    static std::size_t index(int cell) { return static_cast<std::size_t>(cell); }
     Pass transfers_for(const Scalars& solid_volume) const;
-    void apply(const Pass& pass, Scalars& content, int width) const;
+
+    template <class Record>
+    void apply(const Pass& pass, std::vector<Record>& content) const
+    {
+        std::vector<Record> given(content.size(), Record{});
+        for (const Transfer& t : pass) {
+            const Numbers<Record> amount = t.fraction * numbers(content[index(t.from)]);
+            numbers(given[index(t.to)]) += amount;
+            numbers(given[index(t.from)]) -= amount;
+        }
+        cells_.add_halo_to_owners(given);
+        for (std::size_t c = 0; c < cells_.own_count(); ++c)
+            numbers(content[c]) += numbers(given[c]);
+    }
 
     const CellNeighbourhood& cells_;
     Communicator comm_;

@@ -30,15 +30,25 @@ double relaxed_share(double x) { return shares(x).relaxed; }
 
 double withheld_share(double x) { return shares(x).withheld; }
 
-AssumedDrag assume_drag(double mass, double drag_rate, double held, const Vector& acceleration, double dt)
+Shares answered(double mass, double added_mass, double drag_rate, double dt)
 {
-    const double x = drag_rate * dt / mass;
-    const auto [relaxed, withheld] = shares(x);
+    const double inertia = mass + added_mass, own = mass / inertia;
+    const auto [relaxed, withheld] = shares(drag_rate * dt / inertia);
+    return {own * relaxed, own * withheld + added_mass / inertia};
+}
+
+AssumedDrag assume_drag(double mass, double drag_rate, double held, const Vector& acceleration, double dt,
+                        double added_mass)
+{
+    const auto [relaxed, withheld] = answered(mass, added_mass, drag_rate, dt);
     const double following = (1.0 - held) * withheld;
     return {drag_rate * (relaxed + held * withheld), following * mass * dt * acceleration, following};
 }
 
-double response_time(double mass, double drag_rate, double dt) { return dt * relaxed_share(drag_rate * dt / mass); }
+double response_time(double mass, double drag_rate, double dt, double added_mass)
+{
+    return dt * answered(mass, added_mass, drag_rate, dt).relaxed;
+}
 
 Vector free_change(double mass, double drag_rate, const Vector& slip, const Vector& acceleration, double response_time)
 {
@@ -66,9 +76,9 @@ void Hold::judge(const Vector& by_contacts, const Vector& without_contacts, doub
     doubt = (1.0 - held) * (1.0 - known * (1.0 - rise(by_contacts.norm() / expected, untouched, pushed)));
 }
 
-double stiffening(double drag_rate, double mass, double doubt, double dt)
+double stiffening(double drag_rate, double mass, double doubt, double dt, double added_mass)
 {
-    return doubt > 0 ? 0.5 * doubt * drag_rate * withheld_share(drag_rate * dt / mass) : 0.0;
+    return doubt > 0 ? 0.5 * doubt * drag_rate * answered(mass, added_mass, drag_rate, dt).withheld : 0.0;
 }
 
 }  // namespace interphase

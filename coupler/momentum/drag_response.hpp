@@ -18,6 +18,10 @@ namespace interphase {
 // on average, so y is also how far its motion follows the gas. Both are linear in u and grad p, and both belong into
 // the gas solve: where continuity fixes the flux, a pressure force or a motion of the last step makes suspensions
 // diverge from a gas step of about one relaxation time on.
+//
+// Gas that moves with the particle (an added mass m') takes its share of every force: x = k dt/(m + m'), a force
+// changes the velocity by m/(m + m') of what it would, and y = 1 - m/(m + m') (1 - e^-x)/x. Its motion follows the gas
+// by 1 - (1 - e^-x)/x as before.
 
 /// Of a constant force: what changes the velocity of a particle with drag, (1 - e^-x)/x, and the rest, which drag gives
 /// to the gas. Each is accurate at any x.
@@ -28,6 +32,9 @@ Shares shares(double x);
 
 double relaxed_share(double x);
 double withheld_share(double x);
+
+/// The same with an added mass [kg], of what changes m v: the gas gets the rest of every force.
+Shares answered(double mass, double added_mass, double drag_rate, double dt);
 
 /// What the gas solve assumes of a particle's drag impulse over a step: J = kappa dt (u - v) - carried.
 struct AssumedDrag {
@@ -43,10 +50,11 @@ struct AssumedDrag {
 
 /// `held` in [0, 1]: how far contacts hold the particle (see Hold); `acceleration` a [m/s2]: that of other
 /// forces, as far as they are known before the gas solve.
-AssumedDrag assume_drag(double mass, double drag_rate, double held, const Vector& acceleration, double dt);
+AssumedDrag assume_drag(double mass, double drag_rate, double held, const Vector& acceleration, double dt,
+                        double added_mass = 0);
 
 /// By which a constant acceleration changes the velocity of a particle with drag in a step of dt [s].
-double response_time(double mass, double drag_rate, double dt);
+double response_time(double mass, double drag_rate, double dt, double added_mass = 0);
 
 /// The change of velocity of a particle without contacts in a step with this response time [m/s].
 Vector free_change(double mass, double drag_rate, const Vector& slip, const Vector& acceleration, double response_time);
@@ -76,6 +84,6 @@ struct Hold {
 /// Rate [kg/s] that the gas solve adds to kappa where there is `doubt`, on the change of the gas velocity from the last
 /// step: half of what is between the free particle's rate and the held one's. The lagged correction of what the
 /// particles took converges then whichever of the two they are, at (1 + 2/x)^-1/2 a step.
-double stiffening(double drag_rate, double mass, double doubt, double dt);
+double stiffening(double drag_rate, double mass, double doubt, double dt, double added_mass = 0);
 
 }  // namespace interphase

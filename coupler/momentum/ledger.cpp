@@ -5,37 +5,80 @@
 
 namespace interphase {
 
-void Ledger::book(const Transactions& mine, const Vector& assumed_at_start, bool particles_left)
+ExchangeAccount::ExchangeAccount(std::string key, std::string sides, std::string relative_to, int components)
+    : Account(std::move(key), std::move(sides), std::move(relative_to)),
+      components_(components),
+      given_(Eigen::VectorXd::Zero(components)),
+      taken_(given_),
+      owed_(given_),
+      carried_off_(given_)
 {
-    Scalars sums;
-    for (const Vector* v :
-         {&mine.given_by_gas, &mine.taken_by_particles, &mine.pending, &mine.assumed_of_particles, &assumed_at_start})
-        sums.insert(sums.end(), v->data(), v->data() + 3);
-    sums.push_back(mine.solid_volume_in_cells);
-    sums.push_back(mine.solid_volume_of_particles);
-    for (const double volume : {mine.gas_volume, mine.gas_in, mine.gas_out})
-        sums.push_back(volume);
-    comm_.sum(sums);
-
-    const auto vector = [&](std::size_t n) { return Vector(sums[3 * n], sums[3 * n + 1], sums[3 * n + 2]); };
-    given_ += vector(0);
-    taken_ += vector(1);
-    pending_ = vector(2);
-    if (particles_left) carried_off_ += vector(4) - vector(3);
-    exchanged_ += vector(0).norm();
-
-    const double in_cells = sums[15], of_particles = sums[16];
-    volume_residual_ = of_particles > 0 ? std::abs(in_cells - of_particles) / of_particles : 0.0;
-
-    const double gas = sums[17], net_inflow = sums[18] - sums[19];
-    gas_expected_ = gas_expected_ ? *gas_expected_ + net_inflow : gas;
-    gas_volume_residual_ = gas > 0 ? std::abs(gas - *gas_expected_) / gas : 0.0;
+    clear();
 }
 
-double Ledger::momentum_residual() const
+void ExchangeAccount::clear()
 {
-    if (exchanged_ == 0) return 0;
-    return (given_ - (taken_ + carried_off_ - pending_)).norm() / exchanged_;
+    for (Eigen::VectorXd* numbers :
+         {&step.given_by_gas, &step.taken_by_particles, &step.owed, &step.assumed_of_particles, &step.assumed_at_start})
+        numbers->setZero(components_);
+}
+
+void ExchangeAccount::hand_in(Scalars& numbers) const
+{
+    for (const Eigen::VectorXd* part :
+         {&step.given_by_gas, &step.taken_by_particles, &step.owed, &step.assumed_of_particles, &step.assumed_at_start})
+        numbers.insert(numbers.end(), part->data(), part->data() + components_);
+}
+
+const double* ExchangeAccount::book(const double* sums, bool particles_left)
+{
+    const auto part = [&](int n) { return Eigen::Map<const Eigen::VectorXd>(sums + n * components_, components_); };
+    given_ += part(0);
+    taken_ += part(1);
+    owed_ = part(2);
+    if (particles_left) carried_off_ += part(4) - part(3);
+    exchanged_ += part(0).norm();
+    clear();
+    return sums + 5 * components_;
+}
+
+double ExchangeAccount::residual() const
+{
+    return exchanged_ > 0 ? (given_ - (taken_ + carried_off_ - owed_)).norm() / exchanged_ : 0.0;
+}
+
+void SharedAccount::hand_in(Scalars& numbers) const
+{
+    numbers.insert(numbers.end(), {step.in_cells, step.of_particles});
+}
+
+const double* SharedAccount::book(const double* sums, bool)
+{
+    residual_ = sums[1] > 0 ? std::abs(sums[0] - sums[1]) / sums[1] : 0.0;
+    step = {};
+    return sums + 2;
+}
+
+void StockAccount::hand_in(Scalars& numbers) const { numbers.insert(numbers.end(), {step.content, step.in, step.out}); }
+
+const double* StockAccount::book(const double* sums, bool)
+{
+    const double content = sums[0], net_inflow = sums[1] - sums[2];
+    expected_ = expected_ ? *expected_ + net_inflow : content;
+    residual_ = content > 0 ? std::abs(content - *expected_) / content : 0.0;
+    step = {};
+    return sums + 3;
+}
+
+void Ledger::book(bool particles_left)
+{
+    Scalars sums;
+    for (const Account* account : accounts())
+        account->hand_in(sums);
+    comm_.sum(sums);
+    const double* next = sums.data();
+    for (Account* account : all())
+        next = account->book(next, particles_left);
 }
 
 }  // namespace interphase

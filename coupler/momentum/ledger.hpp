@@ -1,56 +1,127 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "base/communicator.hpp"
 
 namespace interphase {
 
-/// One gas step's impulses between gas and particles [kg m/s], and volumes [m3], on one rank.
-struct Transactions {
-    Vector given_by_gas = Vector::Zero();          ///< from the cells' side: drag and pressure gradient
-    Vector taken_by_particles = Vector::Zero();    ///< from the particles' side, summed over the substeps
-    Vector pending = Vector::Zero();               ///< taken less assumed: the next gas step's
-    Vector assumed_of_particles = Vector::Zero();  ///< what the gas step assumed, of those still there
-    double solid_volume_in_cells = 0;
-    double solid_volume_of_particles = 0;
-    double gas_volume = 0;           ///< of all cells at the end, cell by cell what was there less what flowed out
-    double gas_in = 0, gas_out = 0;  ///< across the boundary of the mesh
+/// The account of one conserved quantity over a run. Each step its two sides are summed independently, one over the
+/// cells and one over the particles or the boundary; numbers of a step are those of this rank.
+class Account {
+public:
+    Account(std::string key, std::string sides, std::string relative_to)
+        : key_(std::move(key)), sides_(std::move(sides)), relative_to_(std::move(relative_to))
+    {}
+    virtual ~Account() = default;
+
+    const std::string& key() const { return key_; }                  ///< "momentum", as records name it
+    const std::string& sides() const { return sides_; }              ///< "momentum, gas against particles"
+    const std::string& relative_to() const { return relative_to_; }  ///< "of the impulse exchanged"
+    virtual double residual() const = 0;                             ///< what is missing, relative to that
+
+    /// The step's numbers, to be summed over the ranks.
+    virtual void hand_in(Scalars& numbers) const = 0;
+    /// Books their sums, and clears the step. Returns what follows them.
+    virtual const double* book(const double* sums, bool particles_left) = 0;
+
+private:
+    std::string key_, sides_, relative_to_;
 };
 
-/// Keeps the books of momentum, solid volume and gas volume over a run. The two sides of each are summed independently,
-/// one over the cells and one over the particles or the boundary.
+/// A quantity of n components that gas and particles hand to each other, the particles' side one step late: momentum
+/// [kg m/s], or heat.
+class ExchangeAccount : public Account {
+public:
+    ExchangeAccount(std::string key, std::string sides, std::string relative_to, int components);
+
+    struct Step {
+        Eigen::VectorXd given_by_gas;          ///< from the cells' side
+        Eigen::VectorXd taken_by_particles;    ///< from the particles' side, summed over the substeps
+        Eigen::VectorXd owed;                  ///< taken less assumed: the next gas step's
+        Eigen::VectorXd assumed_of_particles;  ///< what the gas step assumed, of those still there at its end
+        Eigen::VectorXd assumed_at_start;      ///< and of all
+    } step;
+
+    /// |given - (taken + carried off - owed)| over all steps, relative to the amount exchanged.
+    double residual() const override;
+    double exchanged() const { return exchanged_; }
+    /// With particles that were removed.
+    const Eigen::VectorXd& carried_off() const { return carried_off_; }
+
+    void hand_in(Scalars& numbers) const override;
+    const double* book(const double* sums, bool particles_left) override;
+
+private:
+    void clear();
+
+    Eigen::Index components_;
+    Eigen::VectorXd given_, taken_, owed_, carried_off_;
+    double exchanged_ = 0;
+};
+
+/// A quantity that both sides know at any time: the solid volume [m3] in the cells and of the particles.
+class SharedAccount : public Account {
+public:
+    using Account::Account;
+
+    struct Step {
+        double in_cells = 0, of_particles = 0;
+    } step;
+
+    /// |in cells - of particles| over the latter, in the last step.
+    double residual() const override { return residual_; }
+
+    void hand_in(Scalars& numbers) const override;
+    const double* book(const double* sums, bool particles_left) override;
+
+private:
+    double residual_ = 0;
+};
+
+/// A content of the cells that changes by what crosses the boundary of the mesh only: the gas volume [m3].
+class StockAccount : public Account {
+public:
+    using Account::Account;
+
+    struct Step {
+        double content = 0, in = 0, out = 0;
+    } step;
+
+    /// |content - what was there at first - in + out| over all steps, relative to the content.
+    double residual() const override { return residual_; }
+
+    void hand_in(Scalars& numbers) const override;
+    const double* book(const double* sums, bool particles_left) override;
+
+private:
+    std::optional<double> expected_;  ///< by the boundary's side
+    double residual_ = 0;
+};
+
+/// The books: one account a conserved quantity.
 class Ledger {
 public:
     explicit Ledger(const Communicator& comm) : comm_(comm) {}
 
-    /// Books one step. `particles_left`: whether particles were removed during it; what the gas gave to them counts as
-    /// taken away by them. Collective.
-    void book(const Transactions& of_this_rank, const Vector& assumed_at_start, bool particles_left);
+    ExchangeAccount momentum{"momentum", "momentum, gas against particles", "of the impulse exchanged", 3};
+    SharedAccount solid_volume{"volume", "solid volume, cells against particles", "of the total"};
+    StockAccount gas_volume{"gas_volume", "gas volume, cells against boundary", "of the total"};
 
-    /// |given - taken + pending| over all steps, relative to the impulse exchanged.
-    double momentum_residual() const;
+    std::vector<const Account*> accounts() const { return {&momentum, &solid_volume, &gas_volume}; }
 
-    /// Solid volume in the cells against that of the particles, relative to the total, in the last step.
-    double volume_residual() const { return volume_residual_; }
-
-    /// |gas volume of the cells - what was there at first - in + out| over all steps, relative to the volume of gas.
-    double gas_volume_residual() const { return gas_volume_residual_; }
-
-    double exchanged() const { return exchanged_; }
-    const Vector& carried_off() const { return carried_off_; }
+    /// Books the step that the accounts were told. `particles_left`: whether particles were removed during it; what the
+    /// gas gave to them counts as carried off. Collective.
+    void book(bool particles_left);
 
 private:
+    std::vector<Account*> all() { return {&momentum, &solid_volume, &gas_volume}; }
+
     Communicator comm_;
-    Vector given_ = Vector::Zero();
-    Vector taken_ = Vector::Zero();
-    Vector pending_ = Vector::Zero();
-    Vector carried_off_ = Vector::Zero();
-    double exchanged_ = 0;
-    double volume_residual_ = 0;
-    std::optional<double> gas_expected_;  ///< by the boundary's side [m3]
-    double gas_volume_residual_ = 0;
 };
 
 }  // namespace interphase

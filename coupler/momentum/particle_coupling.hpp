@@ -20,19 +20,6 @@ struct ParticleCoupling {
     float response_time = 0;  ///< by which a constant acceleration changes its velocity; 0: nothing is known of it [s]
 };
 
-template <class Number>
-Vector to_vector(const Number (&v)[3])
-{
-    return {v[0], v[1], v[2]};
-}
-
-template <class Number>
-void set(Number (&v)[3], const Vector& value)
-{
-    for (int axis = 0; axis < 3; ++axis)
-        v[axis] = static_cast<Number>(value[axis]);
-}
-
 static_assert(std::is_trivially_copyable_v<ParticleCoupling>);
 
 }  // namespace interphase

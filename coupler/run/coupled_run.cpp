@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "records/provenance.hpp"
+#include "settings/read_settings.hpp"
 
 namespace interphase {
 
@@ -57,7 +59,9 @@ ParticleRows rows_of(const ParticleView& particles)
 }  // namespace
 
 CoupledRun::CoupledRun(int& argc, char**& argv)
-    : case_(argc, argv), settings_(case_.read_settings()), report_(comm_.is_master(), case_.time(), case_.end_time())
+    : case_(argc, argv),
+      settings_(read_settings(case_.coupling_dict(), case_.scene_parameters(), std::filesystem::current_path())),
+      report_(comm_.is_master(), case_.time(), case_.end_time())
 {
     if (settings_.gas != GasModel::none) gas_ = case_.make_gas(settings_);
     solids_ = std::make_unique<LiggghtsSolids>(comm_, settings_);
@@ -164,8 +168,8 @@ void CoupledRun::step()
             with_foam_errors([&] { coupling_->advance(planned.duration, planned.substeps); });
         } catch (const UserError& error) {
             // OpenFOAM chokes on numbers that are not finite before the step gets to its own check
-            throw UserError(gas_->trouble().value_or(error.what()) + "\n  when:   in the gas step from t = " +
-                            text(start) + " s to " + text(case_.time()) + " s");
+            throw UserError(at_time(gas_->trouble().value_or(error.problem()),
+                                    "in the gas step from t = " + text(start) + " s to " + text(case_.time()) + " s"));
         }
     } else {
         stopwatch_.switch_to(Phase::solids);
@@ -176,17 +180,17 @@ void CoupledRun::step()
     if (coupling_ && !coupling_->news().empty()) report_.warn(coupling_->news());
     if (coupling_ && settings_.two_way) {
         const Interventions counts = coupling_->interventions();
-        std::vector<Results::Entry> row{{"time", "s", case_.time()},
-                                        {"momentum_residual", "1", coupling_->ledger().momentum_residual()},
-                                        {"volume_residual", "1", coupling_->ledger().volume_residual()},
-                                        {"gas_volume_residual", "1", coupling_->ledger().gas_volume_residual()},
-                                        {"steps_alternating", "1", static_cast<double>(counts.stability.alternating)},
-                                        {"steps_accelerating", "1", static_cast<double>(counts.stability.accelerating)},
-                                        {"steps_across_cells", "1", static_cast<double>(counts.stability.crossing)},
-                                        {"steps_outrun_by_waves", "1", static_cast<double>(counts.stability.outrun)},
-                                        {"cells_relieved", "1", static_cast<double>(counts.cells_relieved)},
-                                        {"particles_outside_mesh", "1", static_cast<double>(counts.outside_mesh)},
-                                        {"beyond_drag_range", "1", static_cast<double>(counts.beyond_drag_range)}};
+        std::vector<Results::Entry> row{{"time", "s", case_.time()}};
+        for (const Account* account : coupling_->ledger().accounts())
+            row.push_back({account->key() + "_residual", "1", account->residual()});
+        row.insert(row.end(), {{"steps_alternating", "1", static_cast<double>(counts.stability.alternating)},
+                               {"steps_accelerating", "1", static_cast<double>(counts.stability.accelerating)},
+                               {"steps_across_cells", "1", static_cast<double>(counts.stability.crossing)},
+                               {"steps_outrun_by_waves", "1", static_cast<double>(counts.stability.outrun)},
+                               {"cells_relieved", "1", static_cast<double>(counts.cells_relieved)},
+                               {"particles_outside_mesh", "1", static_cast<double>(counts.outside_mesh)}});
+        for (const Count& count : counts.of_terms)
+            row.push_back({count.key, "1", static_cast<double>(count.number)});
         if (coupling_->has_solid_stress())
             row.insert(row.end(),
                        {{"cells_beyond_close_packing", "1", static_cast<double>(counts.cells_overpacked)},
@@ -229,25 +233,23 @@ void CoupledRun::record(bool at_start)
 void CoupledRun::finish()
 {
     stopwatch_.switch_to(Phase::output);
-    Report::Account account{case_.time(), {}, coupling_ && settings_.two_way, 0, 0, 0, {}};
+    Report::Summary summary{case_.time(), {}, {}, {}, false};
     for (std::size_t phase = 0; phase < phase_names.size(); ++phase) {
-        account.seconds[phase] = comm_.max(stopwatch_.seconds(static_cast<Phase>(phase)));
-        results_->describe("/timing", std::string(phase_names[phase]), account.seconds[phase]);
+        summary.seconds[phase] = comm_.max(stopwatch_.seconds(static_cast<Phase>(phase)));
+        results_->describe("/timing", std::string(phase_names[phase]), summary.seconds[phase]);
     }
     if (coupling_) {
-        account.momentum_residual = coupling_->ledger().momentum_residual();
-        account.volume_residual = coupling_->ledger().volume_residual();
-        account.gas_volume_residual = coupling_->ledger().gas_volume_residual();
-        account.interventions = coupling_->interventions();
-        account.has_solid_stress = coupling_->has_solid_stress();
-        const auto sent = static_cast<double>(coupling_->doubles_sent());
-        results_->describe("/exchange", "bytes_sent_by_busiest_rank", 8 * comm_.max(sent));
-        results_->describe("/exchange", "bytes_sent", 8 * comm_.sum(sent));
+        if (settings_.two_way) summary.balances = coupling_->ledger().accounts();
+        summary.interventions = coupling_->interventions();
+        summary.has_solid_stress = coupling_->has_solid_stress();
+        const auto sent = static_cast<double>(coupling_->bytes_sent());
+        results_->describe("/exchange", "bytes_sent_by_busiest_rank", comm_.max(sent));
+        results_->describe("/exchange", "bytes_sent", comm_.sum(sent));
     }
     results_->describe("/meta", "simulated_time", case_.time());
     results_->describe("/meta", "wall_time", report_.wall_seconds());
     results_->flush();
-    report_.summary(account);
+    report_.summary(summary);
 }
 
 }  // namespace interphase

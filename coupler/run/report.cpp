@@ -64,37 +64,39 @@ void Report::warn(const std::string& message) const
     std::fflush(stderr);
 }
 
-void Report::summary(const Account& account) const
+void Report::summary(const Summary& of) const
 {
     if (!prints_) return;
     const double wall = wall_seconds();
-    std::printf("\nReached t = %.6g s in %s of wall time.\n", account.simulated_time, duration(wall).c_str());
+    std::printf("\nReached t = %.6g s in %s of wall time.\n", of.simulated_time, duration(wall).c_str());
     std::printf("\n  wall-clock time [s], the slowest rank's\n");
     for (std::size_t phase = 0; phase < phase_names.size(); ++phase)
-        std::printf("    %-10s %10.2f  %5.1f %%\n", std::string(phase_names[phase]).c_str(), account.seconds[phase],
-                    100 * account.seconds[phase] / wall);
-    if (account.two_way) {
-        std::printf("\n  balances\n");
-        std::printf("    momentum, gas against particles  %.1e of the impulse exchanged\n", account.momentum_residual);
-        std::printf("    solid volume, cells against particles  %.1e of the total\n", account.volume_residual);
-        std::printf("    gas volume, cells against boundary  %.1e of the total\n", account.gas_volume_residual);
-    }
+        std::printf("    %-10s %10.2f  %5.1f %%\n", std::string(phase_names[phase]).c_str(), of.seconds[phase],
+                    100 * of.seconds[phase] / wall);
+    if (!of.balances.empty()) std::printf("\n  balances\n");
+    for (const Account* account : of.balances)
+        std::printf("    %s  %.1e %s\n", account->sides().c_str(), account->residual(), account->relative_to().c_str());
+
+    const auto count = [](const std::string& what, long number) {
+        std::printf("    %-38s %ld\n", what.c_str(), number);
+    };
     std::printf("\n  counted\n");
-    std::printf("    cells relieved at the packing limit    %ld\n", account.interventions.cells_relieved);
-    std::printf("    particles without a gas cell           %ld\n", account.interventions.outside_mesh);
-    std::printf("    particles beyond the drag law's range  %ld\n", account.interventions.beyond_drag_range);
-    if (account.two_way) {
-        const StabilityCounts& steps = account.interventions.stability;
-        std::printf("    gas steps that alternate               %ld\n", steps.alternating);
-        std::printf("    gas steps of particles beyond reason   %ld\n", steps.accelerating);
-        std::printf("    gas steps that cross a cell            %ld\n", steps.crossing);
-        std::printf("    gas steps that waves outrun            %ld\n", steps.outrun);
+    count("cells relieved at the packing limit", of.interventions.cells_relieved);
+    count("particles without a gas cell", of.interventions.outside_mesh);
+    for (const Count& counted : of.interventions.of_terms)
+        count(counted.text, counted.number);
+    if (!of.balances.empty()) {
+        const StabilityCounts& steps = of.interventions.stability;
+        count("gas steps that alternate", steps.alternating);
+        count("gas steps of particles beyond reason", steps.accelerating);
+        count("gas steps that cross a cell", steps.crossing);
+        count("gas steps that waves outrun", steps.outrun);
     }
-    if (account.has_solid_stress) {
-        const StepTooLong& too_long = account.interventions.step_too_long;
-        std::printf("    cells beyond close packing             %ld\n", account.interventions.cells_overpacked);
-        std::printf("    steps too long for a particle's cell   %ld\n", too_long.crossing_cells);
-        std::printf("    steps beyond a relaxation time         %ld\n", too_long.beyond_relaxation);
+    if (of.has_solid_stress) {
+        const StepTooLong& too_long = of.interventions.step_too_long;
+        count("cells beyond close packing", of.interventions.cells_overpacked);
+        count("steps too long for a particle's cell", too_long.crossing_cells);
+        count("steps beyond a relaxation time", too_long.beyond_relaxation);
     }
     std::fflush(stdout);
 }

@@ -25,15 +25,14 @@ public:
 
     double wall_seconds() const;
 
-    struct Account {
+    struct Summary {
         double simulated_time;
         std::array<double, phase_names.size()> seconds;  ///< the slowest rank's, phase by phase
-        bool two_way;
-        double momentum_residual, volume_residual, gas_volume_residual;
+        std::vector<const Account*> balances;            ///< of a run in which the particles act on the gas
         Interventions interventions;
         bool has_solid_stress = false;
     };
-    void summary(const Account& account) const;
+    void summary(const Summary& of) const;
 
 private:
     bool prints_;

@@ -6,14 +6,16 @@
 #include <vector>
 
 #include "base/vector.hpp"
+#include "mapping/mapping_type.hpp"
 
 namespace interphase {
 
 /// Who handles collisions: LIGGGHTS's pair styles (dem, cgpm), hard spheres of a plug-in (tdhs, cghs), a plug-in's
 /// stress of the solids on the gas mesh (mp_pic), or whatever a user's own plug-in does (plugin).
 enum class Method { dem, cgpm, tdhs, cghs, mp_pic, plugin };
+constexpr Method all_methods[] = {Method::dem,  Method::cgpm,   Method::tdhs,
+                                  Method::cghs, Method::mp_pic, Method::plugin};
 enum class GasModel { pimple, frozen, none };
-enum class MappingType { kernel, cell_centre };
 enum class OutsideMesh { stop, ignore };
 
 /// What system/couplingDict asks for. Lengths in m, times in s, pressures in Pa.
@@ -33,6 +35,7 @@ struct Settings {
     bool two_way = true;  ///< whether the particles act on the gas
 
     std::string drag_law = "BVK";
+    std::vector<std::string> forces;  ///< interphase terms beside drag and pressure gradient (forces/terms.hpp)
 
     MappingType mapping = MappingType::kernel;
     double kernel_width = 0;        ///< least half-width of the kernel [m]; 0: two diameters of the tracked sphere
@@ -44,7 +47,7 @@ struct Settings {
     std::vector<Vector> pressure_taps;  ///< two points; their pressure difference is recorded
 };
 
-std::string name_of(Method method);
+std::string name_of(Method method);  ///< as a case names it
 
 bool resolves_contacts(Method method);  ///< over many solid steps each, as springs and dashpots need it
 bool tracks_parcels(Method method);     ///< so that a weight above 1 has a meaning

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "momentum/drag_response.hpp"
-#include "step/coupling_records.hpp"
 
 namespace interphase {
 
@@ -33,7 +32,6 @@ CouplingStep::CouplingStep(const Communicator& comm, const Settings& settings, G
                            double largest_diameter, Stopwatch& stopwatch)
     : comm_(comm),
       settings_(settings),
-      law_(*find_drag_law(settings.drag_law)),
       gas_(gas),
       solids_(solids),
       stopwatch_(stopwatch),
@@ -41,12 +39,12 @@ CouplingStep::CouplingStep(const Communicator& comm, const Settings& settings, G
       visits_(comm),
       mapping_(comm, gas.mesh(), settings.mapping,
                settings.kernel_width > 0 ? settings.kernel_width : 2 * largest_diameter, settings.maximum_packing),
+      forces_(settings, gas, mapping_, solids.gravity()),
       ledger_(comm),
       watch_(solids.gravity().norm()),
       stress_model_(solids.solid_stress()),
       voidage_(gas.mesh().size(), 1.0),
       solid_volume_(gas.mesh().size(), 0.0),
-      hold_(gas.mesh().size()),
       demand_(gas.mesh().size()),
       widest_(
           (comm.max(Vector(gas.locator().bounds().col(1))) - comm.min(Vector(gas.locator().bounds().col(0)))).norm())
@@ -54,28 +52,17 @@ CouplingStep::CouplingStep(const Communicator& comm, const Settings& settings, G
     if (stress_model_) stress_.emplace(comm_, gas_, mapping_, *stress_model_);
 }
 
-std::size_t CouplingStep::visitor_width() const
-{
-    return (settings_.two_way ? two_way_record : one_way_record) + (stress_ ? momentum_record : 0);
-}
-
-std::size_t CouplingStep::homeward_width() const { return homeward_record + (stress_ ? StressExchange::width : 0); }
-
 void CouplingStep::advance(double dt, int substeps)
 {
     solid_step_ = dt / substeps;
     kicks_again_ = substeps == 1 && solids_.takes_new_forces();
-    // The share of other forces that drag gives back is half of this ratio, or nothing where contacts hold.
-    constexpr double long_ratio = 0.02;
-    long_step_ = fastest_relaxation_ * dt > long_ratio;
-    transactions_ = {};
+    long_step_ = forces_.is_long(dt);
     if (particle_count_ < 0) inspect_start();
     bring_particles_to_their_cells();
     map_voidage();
     map_solid_stress();
     note_crossing(dt);
-    if (settings_.two_way) judge_contacts();
-    map_drag(dt);
+    ask_for_forces(dt);
     solve_gas(dt);
     return_gas_to_particles(dt);
     refuse_impossible_flight();
@@ -101,54 +88,70 @@ void CouplingStep::bring_particles_to_their_cells()
         particles.coupling[i].home = homes_[i];
     visits_.plan(homes_);
 
+    Visitors& travellers = travellers_;
+    const std::size_t travelling = visits_.order().size();
+    travellers.visitor.resize(travelling);
+    if (settings_.two_way) travellers.owed.resize(travelling);
+    if (asks_for_restraint()) travellers.restraint.resize(travelling);
+    if (stress_) travellers.momentum.resize(travelling);
     double weight = 1, per_real = 1;  // of the last one, which most share: a cube root is dear
-    const std::size_t width = visitor_width();
-    records_.resize(visits_.order().size() * width);
     starts_.resize(n);
-    std::size_t r = 0;
-    for (const std::size_t i : visits_.order()) {
+    for (std::size_t t = 0; t < travelling; ++t) {
+        const std::size_t i = visits_.order()[t];
         const auto column = static_cast<Eigen::Index>(i);
-        put(&records_[r + position], particles.position.col(column));
         starts_[i] = starting_velocity(particles, i);
-        put(&records_[r + velocity], starts_[i]);
         if (particles.weight[i] != weight) {
             weight = particles.weight[i];
             per_real = 1.0 / std::cbrt(weight);
         }
-        records_[r + diameter] = 2 * particles.radius[column] * per_real;
-        records_[r + volume] = sphere_volume(particles.radius[column]);
-        records_[r + mass] = particles.mass[column];
-        if (settings_.two_way) pack_for_two_way(particles, i, &records_[r]);
-        r += width;
-        if (stress_) {
-            const Vector v = kicks_again_ ? starts_[i] : particles.velocity.col(column);
-            put(&records_[r - momentum_record], particles.mass[column] * v);
-            records_[r - 1] = particles.mass[column];
-        }
+        Visitor& visitor = travellers.visitor[t];
+        set(visitor.position, particles.position.col(column));
+        set(visitor.velocity, starts_[i]);
+        visitor.diameter = 2 * particles.radius[column] * per_real;
+        visitor.volume = sphere_volume(particles.radius[column]);
+        visitor.mass = particles.mass[column];
+        if (settings_.two_way) travellers.owed[t] = owed_to(particles, i);
+        if (asks_for_restraint()) travellers.restraint[t] = restraint_of(particles, i);
+        if (!stress_) continue;
+        const Vector v = kicks_again_ ? starts_[i] : particles.velocity.col(column);
+        set(travellers.momentum[t].momentum, particles.mass[column] * v);
+        travellers.momentum[t].mass = particles.mass[column];
     }
-    visits_.bring(records_, static_cast<int>(width), visitors_);
+    Message message(travellers.visitor, visitors_.visitor);
+    if (settings_.two_way) message.add(travellers.owed, visitors_.owed);
+    if (asks_for_restraint()) message.add(travellers.restraint, visitors_.restraint);
+    if (stress_) message.add(travellers.momentum, visitors_.momentum);
+    visits_.bring(message);
+    visitors_.cell = visits_.cells();
 }
 
-void CouplingStep::pack_for_two_way(const ParticleView& particles, std::size_t i, double* record) const
+Owed CouplingStep::owed_to(const ParticleView& particles, std::size_t i) const
+{
+    const Vector taken = solid_step_ * particles.booked_force(i) - impulse_to_take_back(particles, i);
+    Owed owed;
+    set(owed.impulse, taken - to_vector(particles.coupling[i].assumed_impulse));
+    return owed;
+}
+
+Restraint CouplingStep::restraint_of(const ParticleView& particles, std::size_t i) const
 {
     const auto column = static_cast<Eigen::Index>(i);
     const ParticleCoupling& own = particles.coupling[i];
     const double m = particles.mass[column];
-    const Vector taken = solid_step_ * particles.booked_force(i) - impulse_to_take_back(particles, i);
-    put(record + pending, taken - to_vector(own.assumed_impulse));
-    if (!long_step_) return;       // nobody asks
+    Restraint restraint;
     if (own.response_time <= 0) {  // new to the gas: what acts on it now beside gravity are contacts
         const Vector pull = m * solids_.gravity();
-        put(record + by_contacts, solid_step_ * (particles.force.col(column) - pull));
-        put(record + without_contacts, solid_step_ * pull);
-        record[weight] = solid_step_ * pull.norm();
-        return;
+        set(restraint.by_contacts, solid_step_ * (particles.force.col(column) - pull));
+        set(restraint.without_contacts, solid_step_ * pull);
+        restraint.weight = solid_step_ * pull.norm();
+        return restraint;
     }
     const Vector expected = to_vector(own.free_change);
-    const Vector change = to_vector(record + velocity) - to_vector(own.start_velocity);
-    put(record + by_contacts, m * (change - expected));
-    put(record + without_contacts, m * expected);
-    record[weight] = m * own.response_time * solids_.gravity().norm();
+    const Vector change = starts_[i] - to_vector(own.start_velocity);
+    set(restraint.by_contacts, m * (change - expected));
+    set(restraint.without_contacts, m * expected);
+    restraint.weight = m * own.response_time * solids_.gravity().norm();
+    return restraint;
 }
 
 Vector CouplingStep::starting_velocity(const ParticleView& particles, std::size_t i) const
@@ -180,14 +183,13 @@ void CouplingStep::kick_again(const ParticleView& particles, std::size_t i, cons
 void CouplingStep::map_voidage()
 {
     stopwatch_.switch_to(Phase::mapping);
-    const std::size_t width = visitor_width();
-    positions_.resize(3 * visits_.visitors());
-    volumes_.resize(visits_.visitors());
-    for (std::size_t i = 0; i < visits_.visitors(); ++i) {
-        std::copy_n(&visitors_[i * width + position], 3, &positions_[3 * i]);
-        volumes_[i] = visitors_[i * width + volume];
+    positions_.resize(visitors_.size());
+    volumes_.resize(visitors_.size());
+    for (std::size_t i = 0; i < visitors_.size(); ++i) {
+        positions_[i] = to_vector(visitors_.visitor[i].position);
+        volumes_[i] = visitors_.visitor[i].volume;
     }
-    mapping_.place(positions_, visits_.cells());
+    mapping_.place(positions_, visitors_.cell);
     for (const CellAddress& home : homes_)
         outside_ += !home.known();
     if (!needs_solid_volume()) return;
@@ -197,19 +199,27 @@ void CouplingStep::map_voidage()
     if (!settings_.two_way) return;  // the gas does not feel the particles
     for (std::size_t c = 0; c < voidage_.size(); ++c)
         voidage_[c] = 1.0 - solid_volume_[c] / gas_.mesh().volume[c];
+    if (gas_volume_.empty())
+        for (std::size_t c = 0; c < voidage_.size(); ++c)
+            gas_volume_.push_back(voidage_[c] * gas_.mesh().volume[c]);
 
-    transactions_.solid_volume_in_cells = sum(solid_volume_);
-    transactions_.solid_volume_of_particles = sum(volumes_);
+    ledger_.solid_volume.step = {sum(solid_volume_), sum(volumes_)};
 }
 
 void CouplingStep::map_solid_stress()
 {
-    if (!stress_) return;
-    const std::size_t width = visitor_width();
-    Scalars momenta(momentum_record * visits_.visitors());
-    for (std::size_t i = 0; i < visits_.visitors(); ++i)
-        std::copy_n(&visitors_[(i + 1) * width - momentum_record], momentum_record, &momenta[i * momentum_record]);
-    stress_->compute(solid_volume_, momenta);
+    if (stress_) stress_->compute(solid_volume_, visitors_.momentum);
+}
+
+void CouplingStep::ask_for_forces(double dt)
+{
+    const Motion motion = kicks_again_ ? Motion::by_new_forces : Motion::by_drift;
+    forces_.ask(visitors_, voidage_, {dt, long_step_, motion}, demand_);
+    if (!settings_.two_way) return;
+    for (std::size_t c = 0; c < voidage_.size(); ++c) {
+        demand_.gas_share[c] = gas_volume_[c] * (1.0 / gas_.mesh().volume[c]);
+        demand_.surplus[c] = (demand_.gas_share[c] - voidage_[c]) / dt;
+    }
 }
 
 void CouplingStep::solve_gas(double dt)
@@ -224,81 +234,60 @@ void CouplingStep::solve_gas(double dt)
     for (std::size_t c = 0; c < voidage_.size(); ++c)
         gas_volume_[c] -= outflow[c];
     const Crossing crossing = gas_.crossing();
-    transactions_.gas_in = crossing.in;
-    transactions_.gas_out = crossing.out;
-    transactions_.gas_volume = sum(gas_volume_);
+    ledger_.gas_volume.step = {sum(gas_volume_), crossing.in, crossing.out};
 }
 
 void CouplingStep::return_gas_to_particles(double dt)
 {
     stopwatch_.switch_to(Phase::mapping);
-    const Scalars gas_velocity = gas_.velocity();
-    const Scalars& gradient = pressure_gradient_ = gas_.pressure_gradient();
-    if (settings_.two_way)
-        for (std::size_t c = 0; c < voidage_.size(); ++c) {
-            const double volume = gas_.mesh().volume[c];
-            const Vector drag = demand_.rate[c] * vector_at(gas_velocity, 3 * c) - vector_at(demand_.source, 3 * c);
-            const double pressed = solid_volume_[c] - volume * demand_.following[c];
-            transactions_.given_by_gas += dt * (volume * drag - pressed * vector_at(gradient, 3 * c));
-        }
-
-    Scalars seen_by_cells(6 * voidage_.size());
-    for (std::size_t c = 0; c < voidage_.size(); ++c) {
-        std::copy_n(&gas_velocity[3 * c], 3, &seen_by_cells[6 * c]);
-        std::copy_n(&gradient[3 * c], 3, &seen_by_cells[6 * c + 3]);
-    }
-    mapping_.to_particles(seen_by_cells, 6, seen_);
-    const std::size_t width = homeward_width();
-    answers_.resize(width * visits_.visitors());
-    for (std::size_t i = 0; i < visits_.visitors(); ++i) {
-        double* answer = &answers_[width * i];
-        answer[0] = drag_rates_[i];
-        std::copy_n(&seen_[6 * i], 6, answer + 1);
-        put(answer + 7,
-            settings_.two_way ? assumed_impulse(i, to_vector(answer + 1), to_vector(answer + 4), dt) : Vector::Zero());
-        if (stress_) stress_->write_answer(i, visits_.cells()[i], answer + homeward_record);
-    }
+    forces_.answer(visitors_, answers_.of_visitors, added_masses_.of_visitors);
+    if (settings_.two_way) ledger_.momentum.step.given_by_gas = forces_.given_by_gas(solid_volume_, demand_);
+    if (stress_) stress_->answer(visitors_.cell, of_stress_.of_visitors);
 
     stopwatch_.switch_to(Phase::exchange);
-    visits_.take_back(answers_, static_cast<int>(width), fluid_);
+    const bool with_added_mass = forces_.needs().added_mass;
+    Message message(answers_.of_visitors, answers_.home);
+    if (with_added_mass) message.add(added_masses_.of_visitors, added_masses_.home);
+    if (stress_) message.add(of_stress_.of_visitors, of_stress_.home);
+    visits_.take_back(message);
+
     const ParticleView particles = solids_.particles();
-    const Vector gravity = solids_.gravity();
-    assumed_at_start_.setZero();
     for (std::size_t i = 0; i < particles.size(); ++i)
         if (!homes_[i].known()) leave_without_gas(particles, i);
-    std::size_t f = 0;
-    for (const std::size_t i : visits_.order()) {
-        const auto column = static_cast<Eigen::Index>(i);
-        const double m = particles.mass[column];
-        const Vector& v = starts_[i];
-        const Vector u = vector_at(fluid_, f + 1);
-        ParticleCoupling& own = particles.coupling[i];
-
-        const double k = fluid_[f];
-        const Vector pressure_force = -sphere_volume(particles.radius[column]) * vector_at(fluid_, f + 4);
-        const Vector assumed = vector_at(fluid_, f + 7);
-        const bool again = kicks_again_ && !rests(particles, i);
-        const Vector total = particles.force.col(column);
-        const Vector others = again ? Vector(total - particles.fluid[i].part_of(total, v)) : total;
-        if (again) transactions_.taken_by_particles -= impulse_to_take_back(particles, i);
-
-        particles.fluid[i] = FluidForce(m, k, u, pressure_force, solid_step_);
-        std::fill_n(particles.booked + 3 * i, 3, 0.0);
-        if (again) kick_again(particles, i, v, others);
-        set(own.assumed_impulse, assumed);
-        set(own.start_velocity, v);
-        const double time = response_time(m, k, dt);
-        set(own.free_change, free_change(m, k, u - v, gravity + pressure_force / m, time));
-        own.response_time = static_cast<float>(time);
-        assumed_at_start_ += assumed;
-        f += width;
-    }
+    for (std::size_t t = 0; t < visits_.order().size(); ++t)
+        take_home(particles, visits_.order()[t], answers_.home[t], with_added_mass ? added_masses_.home[t].mass : 0.0,
+                  dt);
     if (stress_) begin_solid_stress(particles, dt);
+}
+
+void CouplingStep::take_home(const ParticleView& particles, std::size_t i, const Answer& answer, double added_mass,
+                             double dt)
+{
+    const auto column = static_cast<Eigen::Index>(i);
+    const double m = particles.mass[column], k = answer.drag_rate;
+    const Vector &v = starts_[i], u = to_vector(answer.gas_velocity), force = to_vector(answer.force);
+    const Vector assumed = to_vector(answer.assumed_impulse);
+    const bool again = kicks_again_ && !rests(particles, i);
+    const Vector total = particles.force.col(column);
+    const Vector others = again ? Vector(total - particles.fluid[i].part_of(total, v)) : total;
+    if (again) ledger_.momentum.step.taken_by_particles -= impulse_to_take_back(particles, i);
+
+    particles.fluid[i] = FluidForce(m, k, u, force, solid_step_, added_mass);
+    std::fill_n(particles.booked + 3 * i, 3, 0.0);
+    if (again) kick_again(particles, i, v, others);
+
+    ParticleCoupling& own = particles.coupling[i];
+    set(own.assumed_impulse, assumed);
+    set(own.start_velocity, v);
+    const double time = response_time(m, k, dt, added_mass);
+    set(own.free_change, free_change(m, k, u - v, solids_.gravity() + force / m, time));
+    own.response_time = static_cast<float>(time);
+    ledger_.momentum.step.assumed_at_start += assumed;
 }
 
 void CouplingStep::begin_solid_stress(const ParticleView& particles, double dt)
 {
-    const StepTooLong found = stress_->begin(fluid_, homeward_record, visits_.order(), particles.mass, dt);
+    const StepTooLong found = stress_->begin(answers_.home, of_stress_.home, visits_.order(), particles.mass, dt);
     too_long_.crossing_cells += found.crossing_cells;
     too_long_.beyond_relaxation += found.beyond_relaxation;
     longest_step_ = comm_.min(found.longest);
@@ -312,7 +301,7 @@ void CouplingStep::leave_without_gas(const ParticleView& particles, std::size_t 
     set(own.assumed_impulse, to_vector(own.assumed_impulse) - solid_step_ * particles.booked_force(i));
     std::fill_n(particles.booked + 3 * i, 3, 0.0);
     own.response_time = 0;
-    assumed_at_start_ += to_vector(own.assumed_impulse);
+    ledger_.momentum.step.assumed_at_start += to_vector(own.assumed_impulse);
 }
 
 void CouplingStep::move_particles(int substeps)
@@ -345,26 +334,29 @@ void CouplingStep::book()
         }
         const Vector taken = solid_step_ * particles.booked_force(i);
         const Vector assumed = to_vector(particles.coupling[i].assumed_impulse);
-        transactions_.taken_by_particles += taken;
-        transactions_.assumed_of_particles += assumed;
-        transactions_.pending += taken - assumed;
+        ledger_.momentum.step.taken_by_particles += taken;
+        ledger_.momentum.step.assumed_of_particles += assumed;
+        ledger_.momentum.step.owed += taken - assumed;
     }
-    ledger_.book(transactions_, assumed_at_start_, fewer);
+    ledger_.book(fewer);
 }
 
 Interventions CouplingStep::interventions() const
 {
+    std::vector<Count> of_terms = forces_.counts();
+    for (Count& count : of_terms)
+        count.number = comm_.sum(count.number);
     return {comm_.sum(relieved_),
             comm_.sum(outside_),
-            comm_.sum(beyond_range_),
+            of_terms,
             comm_.sum(stress_ ? stress_->cells_overpacked() : 0L),
             {comm_.sum(too_long_.crossing_cells), comm_.sum(too_long_.beyond_relaxation)},
             watch_.counts()};
 }
 
-std::size_t CouplingStep::doubles_sent() const
+std::size_t CouplingStep::bytes_sent() const
 {
-    return homes_search_.doubles_sent() + visits_.doubles_sent() + mapping_.doubles_sent();
+    return homes_search_.bytes_sent() + visits_.bytes_sent() + mapping_.bytes_sent();
 }
 
 }  // namespace interphase

@@ -10,25 +10,22 @@
 #include "base/stopwatch.hpp"
 #include "exchange/home_search.hpp"
 #include "exchange/visits.hpp"
-#include "forces/drag/drag_law.hpp"
 #include "mapping/mapping.hpp"
-#include "momentum/drag_response.hpp"
 #include "momentum/ledger.hpp"
 #include "settings/settings.hpp"
 #include "step/gas.hpp"
+#include "step/interphase_forces.hpp"
 #include "step/solids.hpp"
 #include "step/stability_watch.hpp"
 #include "step/stress_exchange.hpp"
 
 namespace interphase {
 
-struct GasSeen;
-
 /// Interventions so far, on all ranks.
 struct Interventions {
-    long cells_relieved = 0;     ///< cells above the packing limit, cell by cell and step by step
-    long outside_mesh = 0;       ///< particles without a gas cell, particle by particle and step by step
-    long beyond_drag_range = 0;  ///< particles outside the drag law's published range
+    long cells_relieved = 0;      ///< cells above the packing limit, cell by cell and step by step
+    long outside_mesh = 0;        ///< particles without a gas cell, particle by particle and step by step
+    std::vector<Count> of_terms;  ///< what interphase terms have counted
 
     // of a model with solid stress
     long cells_overpacked = 0;  ///< cells beyond its close packing, cell by cell and step by step
@@ -62,20 +59,20 @@ public:
     /// Collective.
     Interventions interventions() const;
 
-    /// Doubles that this rank has sent to others in the exchange of particle and cell data so far.
-    std::size_t doubles_sent() const;
+    /// Bytes that this rank has sent to others in the exchange of particle and cell data so far.
+    std::size_t bytes_sent() const;
 
 private:
+    template <class Record>
+    struct Homeward {
+        std::vector<Record> of_visitors, home;  ///< as sent, as arrived
+    };
+
     void inspect_start();
     void bring_particles_to_their_cells();
     void map_voidage();
     void map_solid_stress();
-    void judge_contacts();
-    void map_drag(double dt);
-    void write_demand(const double* record, double drag_rate, const GasSeen& seen, double dt, double* demand) const;
-    Vector assumed_impulse(std::size_t visitor, const Vector& gas_velocity, const Vector& pressure_gradient,
-                           double dt) const;
-    void map_demands(double dt);
+    void ask_for_forces(double dt);
     void solve_gas(double dt);
     void return_gas_to_particles(double dt);
     void leave_without_gas(const ParticleView& particles, std::size_t i);
@@ -87,20 +84,20 @@ private:
     void refuse_impossible_flight() const;
 
     bool needs_solid_volume() const { return settings_.two_way || stress_; }
-    std::size_t visitor_width() const;
-    std::size_t homeward_width() const;
+    bool asks_for_restraint() const { return settings_.two_way && long_step_; }
     void begin_solid_stress(const ParticleView& particles, double dt);
     Vector starting_velocity(const ParticleView& particles, std::size_t i) const;
     Vector impulse_to_take_back(const ParticleView& particles, std::size_t i) const;
     void kick_again(const ParticleView& particles, std::size_t i, const Vector& velocity, const Vector& others);
-    void pack_for_two_way(const ParticleView& particles, std::size_t i, double* record) const;
+    Owed owed_to(const ParticleView& particles, std::size_t i) const;
+    Restraint restraint_of(const ParticleView& particles, std::size_t i) const;
+    void take_home(const ParticleView& particles, std::size_t i, const Answer& answer, double added_mass, double dt);
     void refuse_particles_outside(const ParticleView& particles) const;
     void refuse_loss(const ParticleView& particles, long lost) const;
-    std::optional<std::string> trouble(const ParticleView& particles) const;
+    std::optional<Problem> trouble(const ParticleView& particles) const;
 
     Communicator comm_;
     const Settings& settings_;
-    const DragLaw& law_;
     Gas& gas_;
     Solids& solids_;
     Stopwatch& stopwatch_;
@@ -108,6 +105,7 @@ private:
     HomeSearch homes_search_;
     Visits visits_;
     Mapping mapping_;
+    InterphaseForces forces_;
     Ledger ledger_;
     StabilityWatch watch_;
     SolidStress* stress_model_;
@@ -116,34 +114,26 @@ private:
     std::vector<int> ids_at_start_;  ///< of the gas step, to name a particle that gets lost in it
     Scalars positions_at_start_;
     std::vector<CellAddress> homes_;
-    std::vector<Vector> starts_;             ///< velocity with which each particle with a home begins the step [m/s]
-    Scalars records_;                        ///< one a travelling particle, as packed
-    Scalars visitors_;                       ///< the same, arrived
-    Scalars seen_;                           ///< gas values at the visitors
-    Scalars answers_;                        ///< one a visitor
-    Scalars fluid_;                          ///< one a travelling particle
-    Scalars positions_, volumes_, demands_;  ///< of the visitors
-    Scalars drag_rates_;                     ///< of the visitors [kg/s]
-    Scalars voidage_;                        ///< own cells
-    Scalars solid_volume_;                   ///< own cells [m3]
-    std::vector<Hold> hold_;                 ///< own cells: by contacts
-    Scalars pressure_gradient_;              ///< own cells, of the last solve [n x 3, Pa/m]
-    Scalars gas_volume_;                     ///< own cells, by what has flowed in and out [m3]
+    std::vector<Vector> starts_;      ///< velocity with which each particle with a home begins the step [m/s]
+    Visitors travellers_, visitors_;  ///< as sent, as arrived
+    Vectors positions_;               ///< of the visitors [m]
+    Scalars volumes_;                 ///< of the visitors [m3]
+    Homeward<Answer> answers_;
+    Homeward<AddedMass> added_masses_;
+    Homeward<StressAnswer> of_stress_;
+    Scalars voidage_;       ///< own cells
+    Scalars solid_volume_;  ///< own cells [m3]
+    Scalars gas_volume_;    ///< own cells, by what has flowed in and out [m3]
     Demand demand_;
-    Transactions transactions_;
-    Vector assumed_at_start_ = Vector::Zero();
     double solid_step_ = 0;
-    double fastest_relaxation_ = DBL_MAX;  ///< of all particles in the last step, drag rate over mass [1/s]
     bool long_step_ = true;     ///< so long for some particle that contacts and pressure change what it asks of the gas
     bool kicks_again_ = false;  ///< the solids begin this gas step with its own forces
     double time_ = 0;           ///< for the watch [s]
     double crossing_ = 0;       ///< most gas cells that a particle of this rank crosses in the step
-    double wave_crossing_ = 0;  ///< most gas cells that a wave of the solid fraction crosses in the step
     double widest_;             ///< diagonal of the whole mesh [m]
     std::string news_;
     long outside_ = 0;
     long relieved_ = 0;
-    long beyond_range_ = 0;
     StepTooLong too_long_;           ///< its counts, of the whole run
     double longest_step_ = DBL_MAX;  ///< of the last gas step [s]
     long particle_count_ = -1;

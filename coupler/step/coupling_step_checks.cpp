@@ -19,17 +19,17 @@ void CouplingStep::inspect_start()
 
 void CouplingStep::refuse_particles_outside(const ParticleView& particles) const
 {
-    std::optional<std::string> problem;
+    std::optional<Problem> problem;
     if (settings_.outside_mesh == OutsideMesh::stop)
         for (std::size_t i = 0; i < homes_.size() && !problem; ++i) {
             if (homes_[i].known()) continue;
             const Vector x = particles.position.col(static_cast<Eigen::Index>(i));
-            problem =
+            problem = Problem{
                 "particle " + std::to_string(particles.id[i]) + " (rank " + std::to_string(comm_.rank()) +
-                ") is in no gas cell\n  where:  at " + text(x) +
-                "\n  remedy: keep the particles inside the mesh (walls in the LIGGGHTS script, initial positions, "
-                "solid "
-                "step), or set `outsideMesh ignore;` in system/couplingDict to let such particles move without gas";
+                    ") is in no gas cell",
+                "at " + text(x),
+                "keep the particles inside the mesh (walls in the LIGGGHTS script, initial positions, solid step), "
+                "or set `outsideMesh ignore;` in system/couplingDict to let such particles move without gas"};
         }
     comm_.fail_together(problem);
 }
@@ -50,17 +50,19 @@ void CouplingStep::refuse_loss(const ParticleView& particles, long lost) const
     for (std::size_t i = 0; i < particles.size(); ++i)
         if (particles.id[i] <= last_id) there[static_cast<std::size_t>(particles.id[i])] = 1;
     comm_.sum(there);
-    std::optional<std::string> problem;
+    std::optional<Problem> problem;
     for (std::size_t i = 0; i < ids_at_start_.size() && !problem; ++i)
         if (there[static_cast<std::size_t>(ids_at_start_[i])] == 0)
-            problem = how_many + "\n  where:  particle " + std::to_string(ids_at_start_[i]) + " (rank " +
-                      std::to_string(comm_.rank()) + ") is one of them; it started the step at " +
-                      text(Vector(Eigen::Map<const Vector>(&positions_at_start_[3 * i]))) + "\n  remedy: " + remedy;
+            problem = Problem{how_many,
+                              "particle " + std::to_string(ids_at_start_[i]) + " (rank " +
+                                  std::to_string(comm_.rank()) + ") is one of them; it started the step at " +
+                                  text(Vector(Eigen::Map<const Vector>(&positions_at_start_[3 * i]))),
+                              remedy};
     comm_.fail_together(problem);
     throw UserError(how_many, "among particles that the script had just inserted", remedy);
 }
 
-std::optional<std::string> CouplingStep::trouble(const ParticleView& particles) const
+std::optional<Problem> CouplingStep::trouble(const ParticleView& particles) const
 {
     const auto problem = particle_trouble(particles, comm_.rank());
     return problem ? problem : gas_.trouble();

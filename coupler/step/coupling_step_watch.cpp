@@ -5,12 +5,18 @@
 
 #include "base/text.hpp"
 #include "base/user_error.hpp"
-#include "step/coupling_records.hpp"
 #include "step/coupling_step.hpp"
 
 namespace interphase {
 
 namespace {
+
+/// As ranks tell each other of it.
+struct Sighting {
+    double value;
+    double where[3];
+    double id;
+};
 
 /// The largest of a quantity on this rank, and what goes with it.
 struct Largest {
@@ -30,24 +36,31 @@ struct Largest {
 /// Of all ranks; the lowest rank's where several have it.
 Largest of_all(const Communicator& comm, const Largest& mine)
 {
-    const Scalars all = comm.all_gather({mine.value, mine.where[0], mine.where[1], mine.where[2], mine.id});
     Largest largest;
-    for (std::size_t rank = 0; rank < all.size() / 5; ++rank) {
-        const double* of_rank = &all[5 * rank];
-        largest.see(of_rank[0], to_vector(of_rank + 1), of_rank[4]);
-    }
+    for (const Sighting& of_rank :
+         comm.all_gather(Sighting{mine.value, mine.where[0], mine.where[1], mine.where[2], mine.id}))
+        largest.see(of_rank.value, to_vector(of_rank.where), of_rank.id);
     return largest;
 }
+
+/// Sums over all ranks, and largest values.
+struct Totals {
+    double mass, energy;
+    double solids, crowded;  ///< solid volume of the cells; weighted with the solid fraction
+    double momentum[3], gradient[3];
+};
+struct Extremes {
+    double gas_speed2, crossing, wave_crossing, relaxation;
+};
 
 }  // namespace
 
 void CouplingStep::note_crossing(double dt)
 {
-    const std::size_t width = visitor_width();
     crossing_ = 0;
-    for (std::size_t i = 0; i < visits_.visitors(); ++i) {
-        const double* v = &visitors_[i * width + velocity];
-        const Vector& extent = gas_.mesh().extent[static_cast<std::size_t>(visits_.cells()[i])];
+    for (std::size_t i = 0; i < visitors_.size(); ++i) {
+        const double(&v)[3] = visitors_.visitor[i].velocity;
+        const Vector& extent = gas_.mesh().extent[static_cast<std::size_t>(visitors_.cell[i])];
         for (int axis = 0; axis < 3; ++axis)
             if (dt * std::abs(v[axis]) > crossing_ * extent[axis]) crossing_ = dt * std::abs(v[axis]) / extent[axis];
     }
@@ -72,11 +85,12 @@ StepState CouplingStep::state_of_step(double dt)
     }
 
     const Scalars gas_velocity = gas_.velocity();
+    const Scalars& pressure_gradient = forces_.pressure_gradient();
     double gas_speed2 = 0, solids = 0, crowded = 0;
     Vector gradient = Vector::Zero();
     for (std::size_t c = 0; c < voidage_.size(); ++c) {
-        const Vector here = vector_at(pressure_gradient_, 3 * c);
-        gas_speed2 = std::max(gas_speed2, vector_at(gas_velocity, 3 * c).squaredNorm());
+        const Vector here = vector_at(pressure_gradient, c);
+        gas_speed2 = std::max(gas_speed2, vector_at(gas_velocity, c).squaredNorm());
         if (solid_volume_[c] <= 0) continue;
         solids += solid_volume_[c];
         crowded += solid_volume_[c] * (1 - voidage_[c]);
@@ -84,18 +98,18 @@ StepState CouplingStep::state_of_step(double dt)
         steepest.see(here.squaredNorm(), gas_.mesh().centre[c]);
     }
 
-    Scalars sums{particles.mass.sum(), energy, solids, crowded};
-    for (const Vector* v : {&momentum, &gradient})
-        sums.insert(sums.end(), v->data(), v->data() + 3);
-    comm_.sum(sums);
-    const double mass = sums[0], all_solids = sums[2];
+    Totals all{particles.mass.sum(), energy, solids, crowded, {}, {}};
+    set(all.momentum, momentum);
+    set(all.gradient, gradient);
+    comm_.sum(all);
+    const double mass = all.mass, all_solids = all.solids;
     state.mass = mass;
-    state.kinetic_energy = sums[1];
-    if (mass > 0) state.mean_velocity = vector_at(sums, 4) / mass;
+    state.kinetic_energy = all.energy;
+    if (mass > 0) state.mean_velocity = to_vector(all.momentum) / mass;
     if (all_solids > 0) {
         constexpr double thin = 0.1;  // see StepState::weight_gradient
-        state.mean_pressure_gradient = vector_at(sums, 7) / all_solids;
-        state.weight_gradient = mass / all_solids * std::max(thin, sums[3] / all_solids) * solids_.gravity().norm();
+        state.mean_pressure_gradient = to_vector(all.gradient) / all_solids;
+        state.weight_gradient = mass / all_solids * std::max(thin, all.crowded / all_solids) * solids_.gravity().norm();
     }
     const Largest of_cells = of_all(comm_, steepest), of_particles = of_all(comm_, fastest);
     state.highest_pressure_gradient = std::sqrt(of_cells.value);
@@ -103,36 +117,36 @@ StepState CouplingStep::state_of_step(double dt)
     state.fastest = std::sqrt(of_particles.value);
     state.fastest_at = of_particles.where;
     state.fastest_id = static_cast<int>(of_particles.id);
-    Scalars most{gas_speed2, crossing_, wave_crossing_, fastest_relaxation_};
+    Extremes most{gas_speed2, crossing_, forces_.wave_crossing(), forces_.fastest_relaxation()};
     comm_.max(most);
-    state.gas_speed = std::sqrt(most[0]);
-    state.largest_crossing = most[1];
-    state.largest_wave_crossing = most[2];
-    fastest_relaxation_ = most[3];
+    state.gas_speed = std::sqrt(most.gas_speed2);
+    state.largest_crossing = most.crossing;
+    state.largest_wave_crossing = most.wave_crossing;
+    forces_.set_fastest_relaxation(most.relaxation);
     return state;
 }
 
 void CouplingStep::watch(double dt)
 {
     const Finding finding = watch_.observe(state_of_step(dt));
-    if (finding.stability == Stability::hopeless) throw UserError(finding.message);
-    news_ = finding.message;
+    if (finding.stability == Stability::hopeless) throw UserError(*finding.problem);
+    news_ = finding.message();
 }
 
 void CouplingStep::refuse_impossible_flight() const
 {
     const ParticleView particles = solids_.particles();
-    std::optional<std::string> problem = gas_.trouble();
+    std::optional<Problem> problem = gas_.trouble();
     for (std::size_t i = 0; i < particles.size() && !problem; ++i) {
         const auto column = static_cast<Eigen::Index>(i);
         const Vector v = Vector(particles.velocity.col(column)) + to_vector(particles.coupling[i].free_change);
         if (v.norm() * solid_step_ < widest_) continue;
-        problem = "the gas would make particle " + std::to_string(particles.id[i]) + " (rank " +
-                  std::to_string(comm_.rank()) + ") as fast as " + text(v.norm()) +
-                  " m/s, so that it crosses the whole mesh in one solid step\n  where:  at " +
-                  text(Vector(particles.position.col(column))) +
-                  "\n  remedy: the run diverges: reduce deltaT (or maxCo) in system/controlDict; look at the last "
-                  "written fields";
+        problem = Problem{
+            "the gas would make particle " + std::to_string(particles.id[i]) + " (rank " +
+                std::to_string(comm_.rank()) + ") as fast as " + text(v.norm()) +
+                " m/s, so that it crosses the whole mesh in one solid step",
+            "at " + text(Vector(particles.position.col(column))),
+            "the run diverges: reduce deltaT (or maxCo) in system/controlDict; look at the last written fields"};
     }
     comm_.fail_together(problem);
 }

@@ -3,7 +3,9 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "base/problem.hpp"
 #include "exchange/cell_locator.hpp"
 #include "mapping/mesh_view.hpp"
 
@@ -41,6 +43,17 @@ struct Crossing {
     double in = 0, out = 0;
 };
 
+/// A property of the gas: the same everywhere, or that of each of this rank's cells [n].
+struct GasProperty {
+    GasProperty(double everywhere) : uniform(everywhere) {}
+    GasProperty(Scalars of_each_cell) : of_cells(std::move(of_each_cell)) {}
+
+    bool varies() const { return !of_cells.empty(); }
+
+    double uniform = 0;
+    Scalars of_cells;  ///< empty where it is uniform
+};
+
 /// The gas on this rank's cells [n]. Cell vectors are flat, [n x 3].
 class Gas {
 public:
@@ -48,8 +61,8 @@ public:
 
     virtual const MeshView& mesh() const = 0;
     virtual const CellLocator& locator() const = 0;
-    virtual double density() const = 0;    ///< [kg/m3]
-    virtual double viscosity() const = 0;  ///< [Pa s]
+    virtual GasProperty density() const = 0;    ///< [kg/m3]
+    virtual GasProperty viscosity() const = 0;  ///< dynamic [Pa s]
 
     /// The voidage at the start of the coming step [n].
     virtual void set_voidage(const Scalars& voidage) = 0;
@@ -65,6 +78,11 @@ public:
     virtual Scalars velocity() const = 0;           ///< [n x 3, m/s]
     virtual Scalars pressure_gradient() const = 0;  ///< of the full pressure [n x 3, Pa/m]
 
+    /// d u_j/d x_i at 9 c + 3 i + j of the gas velocity [n x 9, 1/s]. Collective.
+    virtual Scalars velocity_gradient() const = 0;
+    /// div tau of the gas alone [n x 3, N/m3]. Collective.
+    virtual Scalars viscous_force() const = 0;
+
     /// Gradient of any quantity of the cells [n, q], without slope at the boundaries [n x 3, q/m]. Collective.
     virtual Scalars gradient(const Scalars& of_cells) const = 0;
 
@@ -73,7 +91,7 @@ public:
     virtual Scalars stretching(const Scalars& flow) const = 0;
 
     /// What is wrong with the fields of this rank, if anything (a value that is not finite: field, cell, place).
-    virtual std::optional<std::string> trouble() const = 0;
+    virtual std::optional<Problem> trouble() const = 0;
 };
 
 }  // namespace interphase

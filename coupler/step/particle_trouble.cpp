@@ -16,39 +16,41 @@ std::string named(const ParticleView& particles, std::size_t i, int rank)
 
 std::string place(const ParticleView& particles, std::size_t i)
 {
-    return "\n  where:  at " + text(Vector(particles.position.col(static_cast<Eigen::Index>(i))));
+    return "at " + text(Vector(particles.position.col(static_cast<Eigen::Index>(i))));
 }
 
-std::optional<std::string> motion_trouble(const ParticleView& particles, int rank)
+std::optional<Problem> motion_trouble(const ParticleView& particles, int rank)
 {
     if (std::isfinite(particles.position.sum() + particles.velocity.sum())) return std::nullopt;
     for (std::size_t i = 0; i < particles.size(); ++i) {
         const auto column = static_cast<Eigen::Index>(i);
         if (particles.position.col(column).allFinite() && particles.velocity.col(column).allFinite()) continue;
-        return "the velocity or position of " + named(particles, i, rank) +
-               " is not finite: v = " + text(Vector(particles.velocity.col(column))) + place(particles, i) +
-               "\n  remedy: reduce the solid step (particles/stepsPerCollision), check overlaps at the start";
+        return Problem{"the velocity or position of " + named(particles, i, rank) +
+                           " is not finite: v = " + text(Vector(particles.velocity.col(column))),
+                       place(particles, i),
+                       "reduce the solid step (particles/stepsPerCollision), check overlaps at the start"};
     }
     return std::nullopt;
 }
 
-std::optional<std::string> weight_trouble(const ParticleView& particles, int rank)
+std::optional<Problem> weight_trouble(const ParticleView& particles, int rank)
 {
     if (!particles.weight.differ()) return std::nullopt;
     for (std::size_t i = 0; i < particles.size(); ++i) {
         const double weight = particles.weight[i];
         if (weight >= 1 && std::isfinite(weight)) continue;
-        return "the weight of " + named(particles, i, rank) + " is " + text(weight) +
-               ", which is no number of real particles: at least 1 is in a tracked one" + place(particles, i) +
-               "\n  remedy: in the LIGGGHTS script correct `set ... property/atom weight W`, the default of fix "
-               "property/atom weight, or `set_property weight W` of what inserts it";
+        return Problem{"the weight of " + named(particles, i, rank) + " is " + text(weight) +
+                           ", which is no number of real particles: at least 1 is in a tracked one",
+                       place(particles, i),
+                       "in the LIGGGHTS script correct `set ... property/atom weight W`, the default of fix "
+                       "property/atom weight, or `set_property weight W` of what inserts it"};
     }
     return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<std::string> particle_trouble(const ParticleView& particles, int rank)
+std::optional<Problem> particle_trouble(const ParticleView& particles, int rank)
 {
     if (auto problem = motion_trouble(particles, rank)) return problem;
     return weight_trouble(particles, rank);

@@ -28,21 +28,27 @@ std::string about(double value)
 
 std::string place(const StepState& state)
 {
-    return "\n  where:  the largest pressure gradient, " + about(state.highest_pressure_gradient) + " Pa/m, is at " +
+    return "the largest pressure gradient, " + about(state.highest_pressure_gradient) + " Pa/m, is at " +
            text(state.where) + "; the fastest particle, " + std::to_string(state.fastest_id) + ", has " +
            about(state.fastest) + " m/s at " + text(state.fastest_at);
 }
 
 std::string moment(const StepState& state, const std::string& how_long)
 {
-    return "\n  when:   t = " + text(state.time) + " s, " + how_long + " of " + text(state.duration) + " s";
+    return "t = " + text(state.time) + " s, " + how_long + " of " + text(state.duration) + " s";
 }
 
 std::string shorter_step(double limit)
 {
-    return "\n  remedy: a gas step below " + about(limit) +
+    return "a gas step below " + about(limit) +
            " s (deltaT in system/controlDict), or `adjustTimeStep yes;` there, which lets it be shortened until it "
            "is calm";
+}
+
+std::optional<Problem> both(const std::optional<Problem>& first, const std::optional<Problem>& second)
+{
+    if (first && second) return followed_by(*first, *second);
+    return first ? first : second;
 }
 
 bool finite(const StepState& state)
@@ -61,13 +67,13 @@ Finding StabilityWatch::observe(const StepState& state)
     adapt_step(state.duration, trouble);
 
     Finding finding{trouble.stability, watch_crossing(state)};
-    const std::string of_waves = watch_waves(state);
-    finding.message += (finding.message.empty() || of_waves.empty() ? "" : "\n") + of_waves;
+    finding.problem = both(finding.problem, watch_waves(state));
     if (sets_in) ++counts_.episodes;
     if (sets_in || trouble.stability == Stability::hopeless)
-        finding.message += (finding.message.empty() ? "" : "\n") + trouble.what + place(state) +
-                           moment(state, trouble.when) + shorter_step(std::min(0.5 * state.duration, longest_calm_)) +
-                           trouble.remedy;
+        finding.problem =
+            both(finding.problem, Problem{trouble.what, place(state),
+                                          shorter_step(std::min(0.5 * state.duration, longest_calm_)) + trouble.remedy,
+                                          moment(state, trouble.when)});
     return finding;
 }
 
@@ -194,7 +200,7 @@ void StabilityWatch::adapt_step(double duration, const Trouble& trouble)
     if (longest_calm_ > 4 * doubted_step_) longest_calm_ = DBL_MAX;
 }
 
-std::string StabilityWatch::watch_crossing(const StepState& state)
+std::optional<Problem> StabilityWatch::watch_crossing(const StepState& state)
 {
     longest_within_cells_ = state.largest_crossing > 0 ? state.duration / state.largest_crossing : DBL_MAX;
     if (!(state.largest_crossing > 1)) return {};
@@ -203,7 +209,7 @@ std::string StabilityWatch::watch_crossing(const StepState& state)
                        " gas cells in a gas step: it feels the gas of cells that it has left");
 }
 
-std::string StabilityWatch::watch_waves(const StepState& state)
+std::optional<Problem> StabilityWatch::watch_waves(const StepState& state)
 {
     if (!(state.largest_wave_crossing > limits_.waves)) return {};
     return too_far(state, limits_.waves / state.largest_wave_crossing * state.duration, counts_.outrun,
@@ -212,12 +218,13 @@ std::string StabilityWatch::watch_waves(const StepState& state)
                        "may break up or stand at another height");
 }
 
-std::string StabilityWatch::too_far(const StepState& state, double limit, long& count, const std::string& what)
+std::optional<Problem> StabilityWatch::too_far(const StepState& state, double limit, long& count,
+                                               const std::string& what)
 {
     longest_within_cells_ = std::min(longest_within_cells_, limit);
     if (++count > 1) return {};
-    return what + " (told once, counted from now on)" + place(state) + moment(state, "in a gas step") +
-           shorter_step(limit);
+    return Problem{what + " (told once, counted from now on)", place(state), shorter_step(limit),
+                   moment(state, "in a gas step")};
 }
 
 }  // namespace interphase

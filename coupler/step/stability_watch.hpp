@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <optional>
 #include <string>
 
+#include "base/problem.hpp"
 #include "step/alternation.hpp"
 #include "step/step_state.hpp"
 
@@ -21,9 +23,11 @@ enum class Stability {
 
 struct Finding {
     Stability stability = Stability::calm;
-    /// What, where, when and remedy, to be told now; empty where there is nothing new: an oscillation or a growth is
-    /// told once for each time it sets in, and a particle that crosses more than a cell, or a wave, once a run.
-    std::string message;
+    /// To be told now; none where there is nothing new: an oscillation or a growth is told once for each time it sets
+    /// in, and a particle that crosses more than a cell, or a wave, once a run.
+    std::optional<Problem> problem;
+
+    std::string message() const { return problem ? problem->message() : ""; }  ///< empty where there is nothing new
 };
 
 /// What is physically allowed. A particle under forces of the order of its weight gains about g dt in a step, so its
@@ -115,11 +119,11 @@ private:
     Trouble alternation(Watched& watched, const Yardstick& yardstick) const;
     Trouble acceleration(const StepState& state);
     void adapt_step(double duration, const Trouble& trouble);
-    std::string watch_crossing(const StepState& state);
-    std::string watch_waves(const StepState& state);
+    std::optional<Problem> watch_crossing(const StepState& state);
+    std::optional<Problem> watch_waves(const StepState& state);
     /// Counts a step that ran too far, and shortens what longest_step() allows to `limit` [s]. What to tell of it: the
     /// first time only.
-    std::string too_far(const StepState& state, double limit, long& count, const std::string& what);
+    std::optional<Problem> too_far(const StepState& state, double limit, long& count, const std::string& what);
 
     double gravity_;
     StabilityLimits limits_;

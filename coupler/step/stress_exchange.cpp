@@ -11,14 +11,7 @@
 
 namespace interphase {
 
-namespace {
-
-/// Of a cell, and of a visitor.
-enum Entry { gradient = 0, fraction = 3, mean_velocity = 4, closing_speed = 7, entries = 10 };
-
-}  // namespace
-
-void StressExchange::compute(const Scalars& solid_volume, const Scalars& momenta)
+void StressExchange::compute(const Scalars& solid_volume, const std::vector<Momentum>& momenta)
 {
     look_for_overpacked_cells(solid_volume);
     const MeshView& mesh = gas_.mesh();
@@ -26,25 +19,25 @@ void StressExchange::compute(const Scalars& solid_volume, const Scalars& momenta
     for (std::size_t c = 0; c < mesh.size(); ++c)
         stress[c] = model_.stress(solid_volume[c] / mesh.volume[c]);
     const Scalars stress_gradient = gas_.gradient(stress);
-    const Scalars of_solids = mapping_.to_cells(momenta, 4);
+    const std::vector<Momentum> of_solids = mapping_.to_cells(momenta);
 
-    Scalars cells(entries * mesh.size());
+    std::vector<StressHere> cells(mesh.size(), StressHere{});
     Scalars fractions(mesh.size()), flow(3 * mesh.size());
     for (std::size_t c = 0; c < mesh.size(); ++c) {
-        double* cell = &cells[entries * c];
-        std::copy_n(&stress_gradient[3 * c], 3, cell + gradient);
-        cell[fraction] = fractions[c] = solid_volume[c] / mesh.volume[c];
-        const double* momentum = &of_solids[4 * c];
+        StressHere& cell = cells[c];
+        set(cell.gradient, vector_at(stress_gradient, c));
+        cell.solid_fraction = fractions[c] = solid_volume[c] / mesh.volume[c];
         for (std::size_t axis = 0; axis < 3; ++axis) {  // no particle sees a cell without mass
-            cell[mean_velocity + axis] = momentum[3] > 0 ? momentum[axis] / momentum[3] : 0.0;
-            flow[3 * c + axis] = fractions[c] * cell[mean_velocity + axis];
+            if (of_solids[c].mass > 0) cell.mean_velocity[axis] = of_solids[c].momentum[axis] / of_solids[c].mass;
+            flow[3 * c + axis] = fractions[c] * cell.mean_velocity[axis];
         }
     }
     add_closing_speeds(fractions, flow, cells);
-    mapping_.to_particles(cells, entries, at_visitors_);
+    mapping_.to_particles(std::move(cells), at_visitors_);
 }
 
-void StressExchange::add_closing_speeds(const Scalars& fractions, const Scalars& flow, Scalars& cells) const
+void StressExchange::add_closing_speeds(const Scalars& fractions, const Scalars& flow,
+                                        std::vector<StressHere>& cells) const
 {
     // phi du/dx = d(phi u)/dx - u dphi/dx: so a cell without solids, whose velocity says nothing, takes no part, and a
     // wall does, where the flow stops.
@@ -52,14 +45,13 @@ void StressExchange::add_closing_speeds(const Scalars& fractions, const Scalars&
     const Scalars of_flow = gas_.stretching(flow), of_fraction = gas_.gradient(fractions);
     for (std::size_t c = 0; c < mesh.size(); ++c) {
         if (fractions[c] <= 0) continue;
-        double* cell = &cells[entries * c];
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double extent = mesh.extent[c][static_cast<Eigen::Index>(axis)];
             const double of_flow_here = of_flow[3 * c + axis], of_fraction_here = of_fraction[3 * c + axis];
             // a few particles beside a pack are not thrown by it: the pack's share counts for no more than itself
             const double share = fractions[c] + extent * std::abs(of_fraction_here);
-            const double stretching = (of_flow_here - cell[mean_velocity + axis] * of_fraction_here) / share;
-            cell[closing_speed + axis] = std::max(0.0, -stretching * extent);
+            const double stretching = (of_flow_here - cells[c].mean_velocity[axis] * of_fraction_here) / share;
+            cells[c].closing_speed[axis] = std::max(0.0, -stretching * extent);
         }
     }
 }
@@ -82,44 +74,47 @@ void StressExchange::look_for_overpacked_cells(const Scalars& solid_volume)
     cells_overpacked_ += beyond;
     if (started_) return;
     started_ = true;
-    std::optional<std::string> problem;
+    std::optional<Problem> problem;
     if (beyond > 0 && model_.refuses_overfilled_start())
-        problem = "the particles fill " + std::to_string(beyond) + " gas cells (rank " + std::to_string(comm_.rank()) +
-                  ") beyond close packing at the start: a solid fraction of " + text(highest) + ", where " +
-                  text(model_.close_packing()) + " is the limit\n  where:  in the cell at " +
-                  text(mesh.centre[fullest]) +
-                  "\n  remedy: start from a looser packing, make the parcels lighter (weight) or the cells larger, or "
-                  "give the fix `overfilled count` to let the stress spread them";
+        problem =
+            Problem{"the particles fill " + std::to_string(beyond) + " gas cells (rank " +
+                        std::to_string(comm_.rank()) + ") beyond close packing at the start: a solid fraction of " +
+                        text(highest) + ", where " + text(model_.close_packing()) + " is the limit",
+                    "in the cell at " + text(mesh.centre[fullest]),
+                    "start from a looser packing, make the parcels lighter (weight) or the cells larger, or "
+                    "give the fix `overfilled count` to let the stress spread them"};
     comm_.fail_together(problem);
 }
 
-void StressExchange::write_answer(std::size_t i, int cell, double* answer) const
+void StressExchange::answer(const std::vector<int>& cells, std::vector<StressAnswer>& answers) const
 {
-    std::copy_n(&at_visitors_[entries * i], static_cast<int>(entries), answer);
-    std::copy_n(gas_.mesh().extent[static_cast<std::size_t>(cell)].data(), 3, answer + entries);
+    answers.resize(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        answers[i].here = at_visitors_[i];
+        set(answers[i].cell_size, gas_.mesh().extent[static_cast<std::size_t>(cells[i])]);
+    }
 }
 
-StepTooLong StressExchange::begin(const Scalars& answers, std::size_t before, const std::vector<std::size_t>& order,
-                                  const ScalarsView& mass, double gas_step)
+StepTooLong StressExchange::begin(const std::vector<Answer>& answers, const std::vector<StressAnswer>& of_stress,
+                                  const std::vector<std::size_t>& order, const ScalarsView& mass, double gas_step)
 {
     StressState* states = model_.states();
     std::fill_n(states, mass.size(), StressState{});  // what is in no gas cell feels no stress
-    const double* arrived = answers.data();
-    for (const std::size_t i : order) {
-        const double m = mass[static_cast<Eigen::Index>(i)], drag_rate = arrived[0];
-        const double* answer = arrived + before;
+    for (std::size_t n = 0; n < order.size(); ++n) {
+        const std::size_t i = order[n];
+        const double m = mass[static_cast<Eigen::Index>(i)], drag_rate = answers[n].drag_rate;
+        const StressHere& here = of_stress[n].here;
         StressState& state = states[i];
-        std::copy_n(answer + gradient, 3, state.gradient);
-        state.solid_fraction = answer[fraction];
-        std::copy_n(answer + mean_velocity, 3, state.mean_velocity);
-        std::copy_n(answer + closing_speed, 3, state.closing_speed);
-        std::copy_n(answer + entries, 3, state.cell_size);
+        std::copy_n(here.gradient, 3, state.gradient);
+        state.solid_fraction = here.solid_fraction;
+        std::copy_n(here.mean_velocity, 3, state.mean_velocity);
+        std::copy_n(here.closing_speed, 3, state.closing_speed);
+        std::copy_n(of_stress[n].cell_size, 3, state.cell_size);
         state.relaxation_time = drag_rate > 0 ? m / drag_rate : DBL_MAX;
-        arrived += before + width;
     }
     const StepTooLong found = model_.begin(gas_step);
     const char* complaint = model_.complaint();
-    comm_.fail_together(complaint ? std::optional<std::string>(complaint) : std::nullopt);
+    comm_.fail_together(complaint ? std::optional(Problem{complaint, "", ""}) : std::nullopt);
     return found;
 }
 

@@ -8,6 +8,7 @@
 #include "base/communicator.hpp"
 #include "mapping/mapping.hpp"
 #include "step/gas.hpp"
+#include "step/messages.hpp"
 #include "step/solid_stress.hpp"
 
 namespace interphase {
@@ -16,25 +17,22 @@ namespace interphase {
 /// its gradient (mesh), all of it -> particles, with the weights of everything else.
 class StressExchange {
 public:
-    /// Numbers that a particle takes home because of it.
-    static constexpr std::size_t width = 13;
-
     StressExchange(const Communicator& comm, Gas& gas, const Mapping& mapping, SolidStress& model)
         : comm_(comm), gas_(gas), mapping_(mapping), model_(model)
     {}
 
-    /// `solid_volume` [own cells, m3], within the mapping's packing limit; `momenta` of the visitors [n x 4]: m v and m
-    /// [kg m/s, kg]. After mapping.solid_volume(). Throws a UserError in the first call if a cell is beyond close
-    /// packing and the model refuses that. Collective.
-    void compute(const Scalars& solid_volume, const Scalars& momenta);
+    /// `solid_volume` [own cells, m3], within the mapping's packing limit; `momenta` of the visitors [n]. After
+    /// mapping.solid_volume(). Throws a UserError in the first call if a cell is beyond close packing and the model
+    /// refuses that. Collective.
+    void compute(const Scalars& solid_volume, const std::vector<Momentum>& momenta);
 
-    /// Writes what visitor i, whose home is `cell`, takes home [width].
-    void write_answer(std::size_t i, int cell, double* answer) const;
+    /// What visitors whose owner cells are `cells` [n] take home [n].
+    void answer(const std::vector<int>& cells, std::vector<StressAnswer>& answers) const;
 
-    /// Hands the answers, arrived in the order `order` of the rank's particles with `before` other numbers in front of
-    /// each (the drag rate first), to the model. Throws a UserError if it complains of the gas step. Collective.
-    StepTooLong begin(const Scalars& answers, std::size_t before, const std::vector<std::size_t>& order,
-                      const ScalarsView& mass, double gas_step);
+    /// Hands the answers, arrived in the order `order` of the rank's particles, to the model. Throws a UserError if it
+    /// complains of the gas step. Collective.
+    StepTooLong begin(const std::vector<Answer>& answers, const std::vector<StressAnswer>& of_stress,
+                      const std::vector<std::size_t>& order, const ScalarsView& mass, double gas_step);
 
     /// What drag gave back of the stress's impulse on particle i of the rank in the last gas step, of solid steps of
     /// `solid_step` [s]: an impulse of the fluid [kg m/s].
@@ -45,13 +43,13 @@ public:
 
 private:
     void look_for_overpacked_cells(const Scalars& solid_volume);
-    void add_closing_speeds(const Scalars& fractions, const Scalars& flow, Scalars& cells) const;
+    void add_closing_speeds(const Scalars& fractions, const Scalars& flow, std::vector<StressHere>& cells) const;
 
     Communicator comm_;
     Gas& gas_;
     const Mapping& mapping_;
     SolidStress& model_;
-    Scalars at_visitors_;  ///< gradient, solid fraction, mean velocity, closing speed [n x 10]
+    std::vector<StressHere> at_visitors_;
     bool started_ = false;
     long cells_overpacked_ = 0;
 };

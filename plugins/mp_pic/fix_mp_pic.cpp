@@ -9,6 +9,7 @@
 #include <string>
 
 #include "atom.h"
+#include "base/problem.hpp"
 #include "base/text.hpp"
 #include "engines/liggghts/plugin.hpp"
 #include "error.h"
@@ -107,11 +108,13 @@ StepTooLong FixMpPic::begin(double gas_step)
 void FixMpPic::complain_of_step(int particle, double gas_step, double longest)
 {
     const auto told = [](const double* v) { return text(Vector(v[0], v[1], v[2])); };
-    complaint_ = "particle " + std::to_string(atom->tag[particle]) + " moves at " + told(atom->v[particle]) +
-                 " m/s and would cross more than " + text(courant_) + " of its gas cell in a gas step of " +
-                 text(gas_step) + " s\n  where:  at " + told(atom->x[particle]) + " (fix " + id +
-                 " mp_pic)\n  remedy: give a gas step below " + text(longest) +
-                 " s (deltaT in system/controlDict), or `too_fast count` in the script";
+    complaint_ = Problem{"particle " + std::to_string(atom->tag[particle]) + " moves at " + told(atom->v[particle]) +
+                             " m/s and would cross more than " + text(courant_) + " of its gas cell in a gas step of " +
+                             text(gas_step) + " s",
+                         "at " + told(atom->x[particle]) + " (fix " + id + " mp_pic)",
+                         "give a gas step below " + text(longest) +
+                             " s (deltaT in system/controlDict), or `too_fast count` in the script"}
+                     .message();
 }
 
 void FixMpPic::initial_integrate(int)

@@ -16,7 +16,7 @@ SOURCE = pathlib.Path(os.environ.get("INTERPHASE_SOURCE", pathlib.Path(__file__)
 COUPLER = SOURCE / "coupler"
 
 # A folder may include itself and the folders before it.
-ORDER = ["base", "settings", "exchange", "mapping", "forces", "momentum", "records", "step"]
+ORDER = ["base", "exchange", "mapping", "forces", "momentum", "settings", "records", "step"]
 ENGINES = ["openfoam", "liggghts"]
 WHOLE = "run"
 

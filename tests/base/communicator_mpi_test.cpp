@@ -13,15 +13,15 @@ namespace {
 using namespace interphase;
 using test::world;
 
-/// What this rank threw; empty where it did not.
-std::string message_of(const std::optional<std::string>& problem)
+/// What this rank threw; nothing where it did not.
+std::optional<Problem> told(const std::optional<Problem>& problem)
 {
     try {
         world().fail_together(problem);
     } catch (const UserError& error) {
-        return error.what();
+        return error.problem();
     }
-    return "";
+    return std::nullopt;
 }
 
 TEST(Communicator, ReducesOverAllRanks)
@@ -59,23 +59,31 @@ TEST(Communicator, AnyIsTrueWhereOneIs)
     EXPECT_TRUE(world().any(world().rank() == world().size() - 1));
 }
 
-TEST(FailTogether, StaysQuietWithoutAProblem) { EXPECT_NO_THROW(world().fail_together(std::nullopt)); }
+TEST(FailTogether, StaysQuietWithoutAProblem) { EXPECT_FALSE(told(std::nullopt)); }
 
-TEST(FailTogether, AllRanksThrowTheOnlyFailingRanksMessage)
+TEST(FailTogether, AllRanksThrowTheOnlyFailingRanksProblem)
 {
+    const Problem of_last{"a problem on the last rank", "there", "none", "now"};
     const int last = world().size() - 1;
-    const auto problem =
-        world().rank() == last ? std::optional<std::string>("a problem on the last rank") : std::nullopt;
-    EXPECT_EQ(message_of(problem), "a problem on the last rank");
+    const auto problem = told(world().rank() == last ? std::optional(of_last) : std::nullopt);
+    ASSERT_TRUE(problem);
+    EXPECT_EQ(problem->what, of_last.what);
+    EXPECT_EQ(problem->where, of_last.where);
+    EXPECT_EQ(problem->remedy, of_last.remedy);
+    EXPECT_EQ(problem->when, of_last.when);
 }
 
-TEST(FailTogether, OfSeveralAllRanksThrowTheLowestRanksMessage)
+TEST(FailTogether, OfSeveralAllRanksThrowTheLowestRanksProblem)
 {
     // of different lengths, so that a receiver must take the sender's
-    const std::string mine = "problem " + std::string(static_cast<std::size_t>(10 * world().rank()), 'x') + "!";
+    const auto of_rank = [](int rank) {
+        const std::string long_by_rank(static_cast<std::size_t>(10 * rank), 'x');
+        return Problem{"problem " + long_by_rank + "!", "rank " + std::to_string(rank), long_by_rank};
+    };
     const int lowest = world().size() / 2;
-    const std::string expected = "problem " + std::string(static_cast<std::size_t>(10 * lowest), 'x') + "!";
-    EXPECT_EQ(message_of(world().rank() >= lowest ? std::optional<std::string>(mine) : std::nullopt), expected);
+    const auto problem = told(world().rank() >= lowest ? std::optional(of_rank(world().rank())) : std::nullopt);
+    ASSERT_TRUE(problem);
+    EXPECT_EQ(problem->message(), of_rank(lowest).message());
 }
 
 }  // namespace

@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "base/user_error.hpp"
-
 namespace {
 
 using namespace interphase;
@@ -50,14 +48,6 @@ TEST(NearestName, SuggestsNothingForSomethingElse)
 {
     EXPECT_EQ(nearest_name("turbulence", laws), "");
     EXPECT_EQ(nearest_name("anything", {}), "");
-}
-
-TEST(UserError, SaysWhatWhereAndWhatToDo)
-{
-    const UserError error("rho = -1 is not positive", "constant/transportProperties, line 3", "give it in kg/m3");
-    EXPECT_STREQ(
-        error.what(),
-        "rho = -1 is not positive\n  where:  constant/transportProperties, line 3\n  remedy: give it in kg/m3");
 }
 
 TEST(Box, GrowsAroundPointsAndKnowsWhatItHolds)

@@ -187,13 +187,21 @@ TEST(HomeSearch, ARankWithoutParticlesTakesPart)
     expect_at_home(cloud, mesh);
 }
 
-/// A particle's record: who it is, and from where.
-Scalars records_of(const Visits& visits, int width)
+/// A particle's record of some numbers: who it is, and from where.
+template <int width>
+struct Named {
+    double numbers[width];
+};
+
+template <int width>
+std::vector<Named<width>> records_of(const Visits& visits)
 {
-    Scalars records;
-    for (const std::size_t i : visits.order())
+    std::vector<Named<width>> records;
+    for (const std::size_t i : visits.order()) {
+        records.emplace_back();
         for (int k = 0; k < width; ++k)
-            records.push_back(1e6 * world().rank() + 10.0 * static_cast<double>(i) + k);
+            records.back().numbers[k] = 1e6 * world().rank() + 10.0 * static_cast<double>(i) + k;
+    }
     return records;
 }
 
@@ -212,23 +220,37 @@ TEST(Visits, RoundTripReturnsEveryParticlesOwnData)
         search.update(cloud.view(), cloud.homes);
         visits.plan(cloud.homes);
 
-        // the hosts see the positions, and that each is in the cell it asks for
-        Scalars positions, arrived;
+        // the hosts see the positions, and that each is in the cell it asks for; a second kind of record, of another
+        // size, travels with them
+        std::vector<Named<3>> positions, arrived;
         for (const std::size_t i : visits.order()) {
-            const Vector x = cloud.point(i);
-            positions.insert(positions.end(), x.data(), x.data() + 3);
+            positions.emplace_back();
+            set(positions.back().numbers, cloud.point(i));
         }
-        visits.bring(positions, 3, arrived);
-        ASSERT_EQ(arrived.size(), 3 * visits.visitors());
+        std::vector<int> numbers, arrived_numbers, expected_numbers;
+        for (const std::size_t i : visits.order())
+            numbers.push_back(1000 * world().rank() + static_cast<int>(i));
+        expected_numbers = numbers;
+        Message message(positions, arrived);
+        message.add(numbers, arrived_numbers);
+        visits.bring(message);
+        ASSERT_EQ(arrived.size(), visits.visitors());
+        ASSERT_EQ(arrived_numbers.size(), visits.visitors());
         for (std::size_t v = 0; v < visits.visitors(); ++v)
-            EXPECT_TRUE(mesh.holds({world().rank(), visits.cells()[v]}, Eigen::Map<const Vector>(&arrived[3 * v])));
+            EXPECT_TRUE(mesh.holds({world().rank(), visits.cells()[v]}, to_vector(arrived[v].numbers)));
 
-        // and what they answer comes back to the one that asked
-        Scalars records = records_of(visits, 2), answers;
-        const Scalars expected = records;
-        visits.bring(records, 2, arrived);
-        visits.take_back(arrived, 2, answers);
-        EXPECT_EQ(answers, expected);
+        // and what they answer comes back to the one that asked, both kinds
+        std::vector<Named<2>> records = records_of<2>(visits), visitors, answers;
+        const std::vector<Named<2>> expected = records;
+        visits.bring({records, visitors});
+        Message home(visitors, answers);
+        home.add(arrived_numbers, numbers);
+        visits.take_back(home);
+        ASSERT_EQ(answers.size(), expected.size());
+        for (std::size_t t = 0; t < answers.size(); ++t)
+            for (int k = 0; k < 2; ++k)
+                EXPECT_EQ(answers[t].numbers[k], expected[t].numbers[k]);
+        EXPECT_EQ(numbers, expected_numbers);
 
         std::size_t known = 0;
         for (const CellAddress& home : cloud.homes)
@@ -238,18 +260,18 @@ TEST(Visits, RoundTripReturnsEveryParticlesOwnData)
     }
 }
 
-/// Doubles that this rank sends in a step: homes, a record of eight out and one of seven back.
-std::size_t doubles_of_a_step(HomeSearch& search, Cloud& cloud)
+/// Bytes that this rank sends in a step: homes, a record of eight numbers out and one of seven back.
+std::size_t bytes_of_a_step(HomeSearch& search, Cloud& cloud)
 {
-    const std::size_t before = search.doubles_sent();
+    const std::size_t before = search.bytes_sent();
     search.update(cloud.view(), cloud.homes);
     Visits visits(world());
     visits.plan(cloud.homes);
-    Scalars records = records_of(visits, 8), visitors, answers, fluid;
-    visits.bring(records, 8, visitors);
-    answers.resize(7 * visits.visitors());
-    visits.take_back(answers, 7, fluid);
-    return search.doubles_sent() - before + visits.doubles_sent();
+    std::vector<Named<8>> records = records_of<8>(visits), visitors;
+    visits.bring({records, visitors});
+    std::vector<Named<7>> answers(visits.visitors()), fluid;
+    visits.take_back({answers, fluid});
+    return search.bytes_sent() - before + visits.bytes_sent();
 }
 
 TEST(MessageVolume, IsZeroWhereTheDecompositionsMatch)
@@ -258,9 +280,9 @@ TEST(MessageVolume, IsZeroWhereTheDecompositionsMatch)
     HomeSearch search(world(), mesh);
     Cloud cloud(10);
     cloud.scatter(500, mesh.bounds());
-    EXPECT_EQ(doubles_of_a_step(search, cloud), 0u);  // searched for
+    EXPECT_EQ(bytes_of_a_step(search, cloud), 0u);  // searched for
     cloud.move(0.3, mesh.bounds());
-    EXPECT_EQ(doubles_of_a_step(search, cloud), 0u);  // followed
+    EXPECT_EQ(bytes_of_a_step(search, cloud), 0u);  // followed
 }
 
 /// `staying` particles of each rank in its own part of the mesh, `crossing` in the part of the rank after it.
@@ -285,16 +307,17 @@ TEST(MessageVolume, FollowsTheParticlesThatCrossNotTheirTotal)
     const auto settled_volume = [&](std::size_t staying, std::size_t crossing) {
         HomeSearch search(world(), mesh);
         Cloud cloud = partly_abroad(staying, crossing, mesh);
-        doubles_of_a_step(search, cloud);  // homes become known
+        bytes_of_a_step(search, cloud);  // homes become known
         EXPECT_EQ(cloud.abroad(), world().size() > 1 ? crossing : 0u);
-        return static_cast<long>(doubles_of_a_step(search, cloud));
+        return static_cast<long>(bytes_of_a_step(search, cloud));
     };
     const long few = world().sum(settled_volume(100, 10));
     EXPECT_EQ(world().sum(settled_volume(1000, 10)), few);  // ten times as many stay
     EXPECT_EQ(world().sum(settled_volume(100, 20)), 2 * few);
-    // a crossing particle: position and cell out, address back; the cell's number; eight out, seven back
+    // a crossing particle: position and cell out (32 bytes as the compiler lays them), address back; the cell's number;
+    // eight numbers out, seven back
     const long crossing = world().size() > 1 ? 10L * world().size() : 0L;
-    EXPECT_EQ(few, crossing * (4 + 2 + 1 + 8 + 7));
+    EXPECT_EQ(few, crossing * (32 + 8 + 4 + 64 + 56));
 }
 
 }  // namespace

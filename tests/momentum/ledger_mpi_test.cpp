@@ -11,77 +11,115 @@ namespace {
 using namespace interphase;
 using test::world;
 
-/// One rank's part; the gas gives on the last rank what particles take on the first.
-Transactions step(const Vector& given, const Vector& taken, const Vector& pending)
+/// Books one step; the gas gives on the last rank what particles take on the first.
+void book(Ledger& ledger, const Vector& given, const Vector& taken, const Vector& owed)
 {
-    Transactions mine;
+    ExchangeAccount::Step& mine = ledger.momentum.step;
     if (world().rank() == world().size() - 1) mine.given_by_gas = given;
     if (world().is_master()) {
         mine.taken_by_particles = taken;
-        mine.pending = pending;
-        mine.assumed_of_particles = taken - pending;
+        mine.owed = owed;
+        mine.assumed_of_particles = taken - owed;
     }
-    mine.solid_volume_in_cells = mine.solid_volume_of_particles = 0.5;
-    return mine;
+    ledger.book(false);
 }
 
 TEST(Ledger, IsEmptyAtFirst)
 {
     const Ledger ledger(world());
-    EXPECT_EQ(ledger.momentum_residual(), 0);
-    EXPECT_EQ(ledger.volume_residual(), 0);
-    EXPECT_EQ(ledger.exchanged(), 0);
+    for (const Account* account : ledger.accounts())
+        EXPECT_EQ(account->residual(), 0) << account->key();
+    EXPECT_EQ(ledger.momentum.exchanged(), 0);
 }
 
 TEST(Ledger, ClosesOverRanks)
 {
     Ledger ledger(world());
-    ledger.book(step({1, 2, 3}, {1, 2, 3}, Vector::Zero()), Vector::Zero(), false);
-    EXPECT_EQ(ledger.momentum_residual(), 0);
-    EXPECT_DOUBLE_EQ(ledger.exchanged(), Vector(1, 2, 3).norm());
+    book(ledger, {1, 2, 3}, {1, 2, 3}, Vector::Zero());
+    EXPECT_EQ(ledger.momentum.residual(), 0);
+    EXPECT_DOUBLE_EQ(ledger.momentum.exchanged(), Vector(1, 2, 3).norm());
 }
 
-TEST(Ledger, WhatIsPendingIsOwedUntilTheNextStepGivesIt)
+TEST(Ledger, WhatIsOwedIsGivenInTheNextStep)
 {
     Ledger ledger(world());
     // the particles took 5 where the gas gave 4; then the gas gives 3 + 1 where they take 3
-    ledger.book(step({0, 0, 4}, {0, 0, 5}, {0, 0, 1}), Vector::Zero(), false);
-    EXPECT_EQ(ledger.momentum_residual(), 0);
-    ledger.book(step({0, 0, 4}, {0, 0, 3}, Vector::Zero()), Vector::Zero(), false);
-    EXPECT_EQ(ledger.momentum_residual(), 0);
+    book(ledger, {0, 0, 4}, {0, 0, 5}, {0, 0, 1});
+    EXPECT_EQ(ledger.momentum.residual(), 0);
+    book(ledger, {0, 0, 4}, {0, 0, 3}, Vector::Zero());
+    EXPECT_EQ(ledger.momentum.residual(), 0);
 }
 
 TEST(Ledger, ShowsWhatIsMissingRelativeToWhatWasExchanged)
 {
     Ledger ledger(world());
-    ledger.book(step({0, 0, 4}, {0, 0, 4}, Vector::Zero()), Vector::Zero(), false);
-    ledger.book(step({0, 0, -4}, {0, 0, -4.008}, Vector::Zero()), Vector::Zero(), false);
-    EXPECT_NEAR(ledger.momentum_residual(), 0.008 / 8, 1e-15);
-    ledger.book(step({0, 0, 4}, {0, 0, 4}, Vector::Zero()), Vector::Zero(), false);
-    EXPECT_NEAR(ledger.momentum_residual(), 0.008 / 12, 1e-15);  // and it is not forgotten
+    book(ledger, {0, 0, 4}, {0, 0, 4}, Vector::Zero());
+    book(ledger, {0, 0, -4}, {0, 0, -4.008}, Vector::Zero());
+    EXPECT_NEAR(ledger.momentum.residual(), 0.008 / 8, 1e-15);
+    book(ledger, {0, 0, 4}, {0, 0, 4}, Vector::Zero());
+    EXPECT_NEAR(ledger.momentum.residual(), 0.008 / 12, 1e-15);  // and it is not forgotten
 }
 
 TEST(Ledger, WhatTheGasGaveToParticlesThatLeftIsCarriedOff)
 {
     Ledger ledger(world());
     // assumed 4 of all; those that are left took 3, as assumed of them
-    const Vector assumed_here = world().is_master() ? Vector(0, 0, 4) : Vector::Zero();
-    ledger.book(step({0, 0, 4}, {0, 0, 3}, Vector::Zero()), assumed_here, true);
-    EXPECT_EQ(ledger.momentum_residual(), 0);
-    EXPECT_EQ(ledger.carried_off(), Vector(0, 0, 1));
+    ExchangeAccount::Step& mine = ledger.momentum.step;
+    if (world().is_master()) {
+        mine.given_by_gas = mine.assumed_at_start = Vector(0, 0, 4);
+        mine.taken_by_particles = mine.assumed_of_particles = Vector(0, 0, 3);
+    }
+    ledger.book(true);
+    EXPECT_EQ(ledger.momentum.residual(), 0);
+    EXPECT_EQ(ledger.momentum.carried_off(), Vector(0, 0, 1));
 }
 
 TEST(Ledger, ComparesSolidVolumes)
 {
     Ledger ledger(world());
-    Transactions mine;
-    mine.solid_volume_of_particles = 2.0;
-    mine.solid_volume_in_cells = world().is_master() ? 2.0 + 1e-3 * world().size() : 2.0;
-    ledger.book(mine, Vector::Zero(), false);
-    EXPECT_NEAR(ledger.volume_residual(), 1e-3 / 2, 1e-12);
-    mine.solid_volume_in_cells = 2.0;
-    ledger.book(mine, Vector::Zero(), false);
-    EXPECT_EQ(ledger.volume_residual(), 0);
+    ledger.solid_volume.step = {world().is_master() ? 2.0 + 1e-3 * world().size() : 2.0, 2.0};
+    ledger.book(false);
+    EXPECT_NEAR(ledger.solid_volume.residual(), 1e-3 / 2, 1e-12);
+    ledger.solid_volume.step = {2.0, 2.0};
+    ledger.book(false);
+    EXPECT_EQ(ledger.solid_volume.residual(), 0);
+}
+
+TEST(Ledger, FollowsTheGasVolumeAcrossTheBoundary)
+{
+    Ledger ledger(world());
+    const double ranks = world().size();
+    ledger.gas_volume.step = {3.0 / ranks, 0, 0};
+    ledger.book(false);
+    ledger.gas_volume.step = {3.5 / ranks, world().is_master() ? 0.7 : 0.0, 0.2 / ranks};
+    ledger.book(false);
+    EXPECT_NEAR(ledger.gas_volume.residual(), 0, 1e-15);
+    ledger.gas_volume.step = {3.5 / ranks, 0.1 / ranks, 0};  // came in, and is not there
+    ledger.book(false);
+    EXPECT_NEAR(ledger.gas_volume.residual(), 0.1 / 3.5, 1e-15);
+}
+
+TEST(Ledger, ForgetsTheNumbersOfAStepThatIsBooked)
+{
+    Ledger ledger(world());
+    book(ledger, {0, 0, 4}, {0, 0, 4}, Vector::Zero());
+    ledger.book(false);
+    EXPECT_DOUBLE_EQ(ledger.momentum.exchanged(), 4);
+}
+
+/// A scalar is an account of one component: what heat would be.
+TEST(ExchangeAccount, KeepsAScalar)
+{
+    ExchangeAccount heat("heat", "heat, gas against particles", "of the heat exchanged", 1);
+    heat.step.given_by_gas << 2.0;
+    heat.step.taken_by_particles << 1.5;
+    heat.step.owed << -0.5;
+    Scalars numbers;
+    heat.hand_in(numbers);
+    EXPECT_EQ(numbers.size(), 5u);
+    heat.book(numbers.data(), false);
+    EXPECT_EQ(heat.residual(), 0);
+    EXPECT_EQ(heat.exchanged(), 2);
 }
 
 }  // namespace

@@ -104,12 +104,13 @@ TEST(Balance, MomentumOfGasAndParticlesChangesByOutsideForcesAlone)
             const Vector outside = time * ((body_force - gradient) * s->gas.volume() + moving_mass(all) * gravity);
             const Vector total =
                 s->gas.momentum() + s->particles.momentum() + s->particles.impulse_on_held() - s->particles.pending();
-            ASSERT_LT((total - start - outside).norm(), balance * (start.norm() + s->step.ledger().exchanged()))
+            ASSERT_LT((total - start - outside).norm(),
+                      balance * (start.norm() + s->step.ledger().momentum.exchanged()))
                 << "step " << n;
-            ASSERT_LT(s->step.ledger().momentum_residual(), balance) << "step " << n;
-            ASSERT_LT(s->step.ledger().volume_residual(), balance) << "step " << n;
+            ASSERT_LT(s->step.ledger().momentum.residual(), balance) << "step " << n;
+            ASSERT_LT(s->step.ledger().solid_volume.residual(), balance) << "step " << n;
         }
-        EXPECT_GT(s->step.ledger().exchanged(), 0);
+        EXPECT_GT(s->step.ledger().momentum.exchanged(), 0);
         EXPECT_EQ(s->step.interventions().outside_mesh, 0);
     }
 }
@@ -121,8 +122,8 @@ TEST(Balance, HoldsWherePackedCellsHandOver)
     const auto s = scene(world(), crowd(300, 2.5), settings);
     for (int n = 1; n <= 50; ++n) {
         s->advance(substeps);
-        ASSERT_LT(s->step.ledger().momentum_residual(), balance) << "step " << n;
-        ASSERT_LT(s->step.ledger().volume_residual(), balance) << "step " << n;
+        ASSERT_LT(s->step.ledger().momentum.residual(), balance) << "step " << n;
+        ASSERT_LT(s->step.ledger().solid_volume.residual(), balance) << "step " << n;
         for (const double voidage : s->step.voidage())
             ASSERT_GE(voidage, 1 - 0.25 - 1e-8);  // the limit's own slack: 1e-9
     }
@@ -136,10 +137,10 @@ TEST(Balance, HoldsWhereParticlesLeaveOnPurpose)
     for (int n = 1; n <= 40; ++n) {
         if (n % 4 == 0) s->particles.remove_next(3 * n + 1);
         s->advance(substeps);
-        ASSERT_LT(s->step.ledger().momentum_residual(), balance) << "step " << n;
+        ASSERT_LT(s->step.ledger().momentum.residual(), balance) << "step " << n;
     }
     EXPECT_EQ(world().sum(static_cast<long>(s->particles.size())), 290);
-    EXPECT_GT(s->step.ledger().carried_off().norm(), 0);
+    EXPECT_GT(s->step.ledger().momentum.carried_off().norm(), 0);
 }
 
 TEST(Balance, HoldsWhereParticlesOutsideTheMeshMoveWithoutGas)
@@ -155,7 +156,7 @@ TEST(Balance, HoldsWhereParticlesOutsideTheMeshMoveWithoutGas)
     const auto s = scene(world(), all, settings);
     for (int n = 1; n <= 60; ++n) {
         s->advance(substeps);
-        ASSERT_LT(s->step.ledger().momentum_residual(), balance) << "step " << n;
+        ASSERT_LT(s->step.ledger().momentum.residual(), balance) << "step " << n;
         if (n == 40)  // some turn round and come back
             for (std::size_t i = 0; i < s->particles.size(); ++i)
                 if (s->particles.id(i) <= 10) s->particles.set_velocity(i, {0, 0, -4.0});
@@ -210,10 +211,10 @@ TEST(MessageVolume, OfAStepDoesNotGrowWithParticlesThatStayAtHome)
         }
         const auto s = scene(world(), all, rules());
         s->advance(substeps);  // finds the homes
-        const std::size_t before = s->step.doubles_sent();
+        const std::size_t before = s->step.bytes_sent();
         for (int n = 0; n < 3; ++n)
             s->advance(substeps);
-        return world().sum(static_cast<long>(s->step.doubles_sent() - before));
+        return world().sum(static_cast<long>(s->step.bytes_sent() - before));
     };
     const long sent = sent_with(80);
     EXPECT_EQ(sent_with(320), sent);  // what is left are the cells at the cuts

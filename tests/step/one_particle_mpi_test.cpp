@@ -123,7 +123,7 @@ TEST_P(EachDragLaw, FallsAsTheEquationOfMotionSays)
         }
         EXPECT_NEAR(exact / settling.velocity, 1.0, 1e-3);  // it has arrived; exp(-12) and the jump of a law at Re 1000
         EXPECT_NEAR(falling(*scene) / settling.velocity, 1.0, 0.005) << "Re = " << reynolds;
-        EXPECT_LT(scene->step.ledger().momentum_residual(), 1e-12);
+        EXPECT_LT(scene->step.ledger().momentum.residual(), 1e-12);
     }
 }
 

@@ -171,8 +171,8 @@ TEST(SolidStress, LeavesTheBooksBalancedAndCounts)
     Scene s(world(), planes(), 1.2, 1.8e-5, stack({3, 3, 1, 1, 2}), gravity, solid_step, rules(), &model);
     for (int n = 0; n < 20; ++n)
         s.advance(2);
-    EXPECT_LT(s.step.ledger().momentum_residual(), 1e-12);  // round-off
-    EXPECT_LT(s.step.ledger().volume_residual(), 1e-12);
+    EXPECT_LT(s.step.ledger().momentum.residual(), 1e-12);  // round-off
+    EXPECT_LT(s.step.ledger().solid_volume.residual(), 1e-12);
     const Interventions counts = s.step.interventions();
     EXPECT_EQ(counts.cells_overpacked, 0);
     EXPECT_EQ(counts.step_too_long.crossing_cells, 20 * world().size());
@@ -205,7 +205,7 @@ TEST(SolidStress, WhatDragGivesBackOfItIsTakenFromTheGas)
         Scene s(world(), planes(), 1.2, 18, stack({1, 1, 1, 1}), gravity, solid_step, rules(), &model);
         s.gas.hold_velocity();
         s.advance(2);
-        EXPECT_LT(s.step.ledger().momentum_residual(), 1e-12);
+        EXPECT_LT(s.step.ledger().momentum.residual(), 1e-12);
         Vector booked = Vector::Zero();
         const ParticleView view = s.particles.particles();
         for (std::size_t i = 0; i < view.size(); ++i)
@@ -222,7 +222,7 @@ TEST(SolidStress, IsNotSentWhereNoneAsks)
     const auto sent = [](SolidStress* model, bool two_way) {
         Scene s(world(), planes(), 1.2, 1.8e-5, stack({3, 3, 1, 1, 2}), gravity, solid_step, rules(two_way), model);
         s.advance(1);
-        return static_cast<long>(s.step.doubles_sent());
+        return static_cast<long>(s.step.bytes_sent());
     };
     LinearStress model;
     if (world().size() == 1) {

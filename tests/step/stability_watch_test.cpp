@@ -164,14 +164,14 @@ TEST(StabilityWatch, NoParticleCrossesMoreThanACell)
     StabilityWatch watch(g);
     StepState state = bed(0, 1e-3);
     state.largest_crossing = 0.5;
-    EXPECT_EQ(watch.observe(state).message, "");
+    EXPECT_EQ(watch.observe(state).message(), "");
     EXPECT_DOUBLE_EQ(watch.longest_step(), 2e-3);
     state.largest_crossing = 2.5;
     const Finding finding = watch.observe(state);
     EXPECT_EQ(finding.stability, Stability::calm);
-    EXPECT_NE(finding.message.find("a particle crosses 2.5 gas cells in a gas step"), std::string::npos);
+    EXPECT_NE(finding.message().find("a particle crosses 2.5 gas cells in a gas step"), std::string::npos);
     EXPECT_DOUBLE_EQ(watch.longest_step(), 4e-4);
-    EXPECT_EQ(watch.observe(state).message, "");  // told once
+    EXPECT_EQ(watch.observe(state).message(), "");  // told once
     EXPECT_EQ(watch.counts().crossing, 2);
 }
 
@@ -180,14 +180,14 @@ TEST(StabilityWatch, WavesRunHalfACellAtMost)
     StabilityWatch watch(g);
     StepState state = bed(0, 1e-2);
     state.largest_wave_crossing = 0.4;
-    EXPECT_EQ(watch.observe(state).message, "");
+    EXPECT_EQ(watch.observe(state).message(), "");
     state.largest_wave_crossing = 2;
     const Finding finding = watch.observe(state);
     EXPECT_EQ(finding.stability, Stability::calm);
-    EXPECT_NE(finding.message.find("waves of the solid fraction run 2 gas cells in a gas step"), std::string::npos);
-    EXPECT_NE(finding.message.find("remedy: a gas step below 0.0025 s"), std::string::npos) << finding.message;
+    EXPECT_NE(finding.message().find("waves of the solid fraction run 2 gas cells in a gas step"), std::string::npos);
+    EXPECT_NE(finding.message().find("remedy: a gas step below 0.0025 s"), std::string::npos) << finding.message();
     EXPECT_DOUBLE_EQ(watch.longest_step(), 2.5e-3);
-    EXPECT_EQ(watch.observe(state).message, "");  // told once
+    EXPECT_EQ(watch.observe(state).message(), "");  // told once
     EXPECT_EQ(watch.counts().outrun, 2);
 }
 

@@ -147,8 +147,10 @@ TEST(Trouble, AGasFieldOfOneRank)
 {
     const auto s = scene(ten());
     EXPECT_EQ(message_of(*s), "");
-    if (world().rank() == world().size() - 1) s->gas.set_trouble("the gas field U is not finite in cell 3");
-    expect_parts(message_of(*s), {"the gas field U is not finite in cell 3"});  // on every rank
+    if (world().rank() == world().size() - 1)
+        s->gas.set_trouble({"the gas field U is not finite in cell 3", "at (0 0 0)", "a shorter gas step"});
+    expect_parts(message_of(*s),
+                 {"U is not finite in cell 3\n  where:  at (0 0 0)\n  remedy: a shorter"});  // on every rank
 }
 
 TEST(Trouble, ALostParticle)
@@ -183,7 +185,7 @@ TEST(Trouble, OutsideTheLawsRangeIsCounted)
     // BVK claims voidages from 0.4 to 0.9: one particle of 1 mm in a cell of 10 mm leaves more
     const auto s = scene(ten());
     EXPECT_EQ(message_of(*s), "");
-    EXPECT_EQ(s->step.interventions().beyond_drag_range, 10);
+    EXPECT_EQ(s->step.interventions().of_terms[0].number, 10);
 }
 
 }  // namespace

@@ -110,9 +110,9 @@ TEST(Weights, AMixtureTakesFromTheGasWhatSingleParticlesTake)
             s->gas.set_velocity({0.5, 0, 3});
             for (int n = 0; n < 5; ++n)
                 s->advance(substeps);
-            EXPECT_LT(s->step.ledger().momentum_residual(), 1e-12);
-            EXPECT_LT(s->step.ledger().volume_residual(), 1e-12);
-            exchanged = s->step.ledger().exchanged();
+            EXPECT_LT(s->step.ledger().momentum.residual(), 1e-12);
+            EXPECT_LT(s->step.ledger().solid_volume.residual(), 1e-12);
+            exchanged = s->step.ledger().momentum.exchanged();
             return s->gas.momentum();
         };
         const Vector of_single = momentum_given(std::vector<double>(64, 1.0));

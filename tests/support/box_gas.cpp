@@ -12,7 +12,9 @@ BoxGas::BoxGas(const Communicator& comm, const BoxMesh& mesh, double density, do
       viscosity_(viscosity),
       inertia_(density),
       velocity_(3 * mesh.view().size(), 0.0),
-      voidage_(mesh.view().size(), 1.0)
+      voidage_(mesh.view().size(), 1.0),
+      velocity_gradient_(9 * mesh.view().size(), 0.0),
+      viscous_force_(3 * mesh.view().size(), 0.0)
 {}
 
 void BoxGas::solve(double dt, const Demand& demand)
@@ -66,6 +68,19 @@ void BoxGas::set_velocity(const Vector& u)
 }
 
 void BoxGas::set_velocity(std::size_t cell, const Vector& u) { std::copy_n(u.data(), 3, &velocity_[3 * cell]); }
+
+void BoxGas::set_velocity_gradient(const Eigen::Matrix3d& gradient)
+{
+    for (std::size_t c = 0; c < voidage_.size(); ++c)
+        for (int entry = 0; entry < 9; ++entry)
+            velocity_gradient_[9 * c + static_cast<std::size_t>(entry)] = gradient(entry / 3, entry % 3);
+}
+
+void BoxGas::set_viscous_force(const Vector& per_volume)
+{
+    for (std::size_t c = 0; c < voidage_.size(); ++c)
+        set_vector_at(viscous_force_, c, per_volume);
+}
 
 Vector BoxGas::momentum() const
 {

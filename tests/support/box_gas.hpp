@@ -17,18 +17,20 @@ public:
 
     const MeshView& mesh() const override { return mesh_.view(); }
     const CellLocator& locator() const override { return mesh_; }
-    double density() const override { return density_; }
-    double viscosity() const override { return viscosity_; }
+    GasProperty density() const override { return density_; }
+    GasProperty viscosity() const override { return viscosity_; }
     void set_voidage(const Scalars& voidage) override { voidage_ = voidage; }
     void solve(double dt, const Demand& demand) override;
     Scalars outflow() const override { return Scalars(voidage_.size(), 0.0); }
     Crossing crossing() const override { return {}; }
     Scalars velocity() const override { return velocity_; }
     Scalars pressure_gradient() const override;
+    Scalars velocity_gradient() const override { return velocity_gradient_; }
+    Scalars viscous_force() const override { return viscous_force_; }
     /// Green-Gauss with values linear between the centres: OpenFOAM's `Gauss linear`.
     Scalars gradient(const Scalars& of_cells) const override;
     Scalars stretching(const Scalars& flow) const override;
-    std::optional<std::string> trouble() const override { return trouble_; }
+    std::optional<Problem> trouble() const override { return trouble_; }
 
     /// Everywhere [m/s].
     void set_velocity(const Vector& u);
@@ -41,7 +43,16 @@ public:
     void hold_velocity() { held_ = true; }
     void set_body_force(const Vector& per_volume) { body_force_ = per_volume; }   ///< [N/m3]
     void set_pressure_gradient(const Vector& gradient) { gradient_ = gradient; }  ///< [Pa/m]
-    void set_trouble(const std::string& problem) { trouble_ = problem; }
+    /// Everywhere: d u_j/d x_i in row i, column j [1/s]; says nothing of the velocity.
+    void set_velocity_gradient(const Eigen::Matrix3d& gradient);
+    void set_viscous_force(const Vector& per_volume);  ///< everywhere [N/m3]
+    /// Of each of this rank's cells, as drag laws see them [kg/m3, Pa s].
+    void set_properties(const GasProperty& density, const GasProperty& viscosity)
+    {
+        density_ = density;
+        viscosity_ = viscosity;
+    }
+    void set_trouble(const Problem& problem) { trouble_ = problem; }
 
     Vector momentum() const;  ///< of all ranks [kg m/s]. Collective.
     double mass() const;      ///< Collective.
@@ -51,13 +62,15 @@ public:
 private:
     Communicator comm_;
     const BoxMesh& mesh_;
-    double density_, viscosity_, inertia_;
+    GasProperty density_, viscosity_;
+    double inertia_;
     bool held_ = false;
     Scalars velocity_;
     Scalars voidage_;
+    Scalars velocity_gradient_, viscous_force_;
     Vector body_force_ = Vector::Zero();
     Vector gradient_ = Vector::Zero();
-    std::optional<std::string> trouble_;
+    std::optional<Problem> trouble_;
 };
 
 }  // namespace interphase::test

@@ -50,7 +50,7 @@ inline Heard hear(const std::vector<StepState>& states, double gravity = g)
     Heard heard;
     for (const StepState& state : states) {
         heard.findings.push_back(watch.observe(state));
-        if (!heard.findings.back().message.empty()) heard.messages.push_back(heard.findings.back().message);
+        if (!heard.findings.back().message().empty()) heard.messages.push_back(heard.findings.back().message());
     }
     heard.counts = watch.counts();
     return heard;

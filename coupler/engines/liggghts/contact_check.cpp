@@ -34,7 +34,7 @@ constexpr Demand demands[] = {
 
 }  // namespace
 
-std::optional<std::string> unphysical_contact(LAMMPS_NS::LAMMPS& lmp)
+std::optional<Problem> unphysical_contact(LAMMPS_NS::LAMMPS& lmp, const std::string& script)
 {
     for (const Demand& demand : demands) {
         const auto* values = pair_property(lmp, demand.property);
@@ -43,8 +43,12 @@ std::optional<std::string> unphysical_contact(LAMMPS_NS::LAMMPS& lmp)
             for (int j = 0; j < lmp.atom->ntypes; ++j) {
                 const double value = values[i][j];
                 if ((value > 0 || (value == 0 && demand.zero_is_fine)) && value <= demand.most) continue;
-                return "the property " + std::string(demand.property) + " is " + text(value) + " between types " +
-                       std::to_string(i + 1) + " and " + std::to_string(j + 1) + ": " + demand.meaning;
+                return Problem{"the property " + std::string(demand.property) + " is " + text(value) +
+                                   " between types " + std::to_string(i + 1) + " and " + std::to_string(j + 1) + ": " +
+                                   demand.meaning,
+                               script + ", fix property/global",
+                               "correct the property, or the numbers that the script makes it from "
+                               "(particles/variables in system/couplingDict)"};
             }
     }
     return std::nullopt;

@@ -4,15 +4,17 @@
 #include <optional>
 #include <string>
 
+#include "base/problem.hpp"
+
 namespace LAMMPS_NS {
 class LAMMPS;
 }
 
 namespace interphase {
 
-/// What is wrong with the spring and dashpot that the script gives to the pair model hooke/stiffness, if anything:
+/// What is wrong with the spring and dashpot that `script` gives to the pair model hooke/stiffness, if anything:
 /// negative damping (restitution above 1), a spring that pulls. LIGGGHTS checks restitution only where it is given as
 /// such and a pair style of its own uses it.
-std::optional<std::string> unphysical_contact(LAMMPS_NS::LAMMPS& lmp);
+std::optional<Problem> unphysical_contact(LAMMPS_NS::LAMMPS& lmp, const std::string& script);
 
 }  // namespace interphase

@@ -83,10 +83,7 @@ void LiggghtsSolids::refuse_unusable_scene() const
     if (settings_.gas != GasModel::none && lmp_->modify->find_fix_style_strict("freeze", 0))
         throw UserError("fix freeze clears forces before the fluid force is added, so the particles would drift",
                         script, "hold particles by leaving them out of the integrator's group instead");
-    if (const auto problem = unphysical_contact(*lmp_))
-        throw UserError(*problem, script + ", fix property/global",
-                        "correct the property, or the numbers that the script makes it from (particles/variables in "
-                        "system/couplingDict)");
+    if (const auto problem = unphysical_contact(*lmp_, script)) throw UserError(*problem);
     refuse_doubtful_collisions();
     refuse_bodiless_particles();
 }
@@ -122,7 +119,7 @@ std::optional<double> LiggghtsSolids::ask_for_step_limit() const
 {
     constexpr double none = std::numeric_limits<double>::max();
     double limit = none;
-    std::optional<std::string> problem;
+    std::optional<Problem> problem;
     for (int i = 0; i < lmp_->modify->nfix; ++i) {
         LAMMPS_NS::Fix* fix = lmp_->modify->fix[i];
         if (!is_of_plugin(fix->style)) continue;
@@ -130,10 +127,9 @@ std::optional<double> LiggghtsSolids::ask_for_step_limit() const
         const auto* told = static_cast<const double*>(fix->extract(extract_solid_step_limit, dimension));
         if (!told) continue;
         if (!(*told > 0))
-            problem = std::string("fix ") + fix->id + " (" + fix->style +
-                      ") says that it bears a solid step of at most " + text(*told) +
-                      " s\n  where:  " + settings_.script + "\n  remedy: correct the plug-in's " +
-                      extract_solid_step_limit;
+            problem = Problem{std::string("fix ") + fix->id + " (" + fix->style +
+                                  ") says that it bears a solid step of at most " + text(*told) + " s",
+                              settings_.script, std::string("correct the plug-in's ") + extract_solid_step_limit};
         limit = std::min(limit, *told);
     }
     comm_.fail_together(problem);
@@ -175,13 +171,13 @@ bool LiggghtsSolids::any_plugin_says(const char* what) const
 
 void LiggghtsSolids::refuse_bodiless_particles() const
 {
-    std::optional<std::string> problem;
+    std::optional<Problem> problem;
     const LAMMPS_NS::Atom& atom = *lmp_->atom;
     for (int i = 0; i < atom.nlocal && !problem; ++i)
         if (!(atom.radius[i] > 0 && atom.rmass[i] > 0))
-            problem = "particle " + std::to_string(atom.tag[i]) + " has a radius of " + text(atom.radius[i]) +
-                      " m and a mass of " + text(atom.rmass[i]) + " kg\n  where:  " + settings_.script +
-                      "\n  remedy: give diameters and densities above 0, in m and kg/m3";
+            problem = Problem{"particle " + std::to_string(atom.tag[i]) + " has a radius of " + text(atom.radius[i]) +
+                                  " m and a mass of " + text(atom.rmass[i]) + " kg",
+                              settings_.script, "give diameters and densities above 0, in m and kg/m3"};
     comm_.fail_together(problem);
 }
 

@@ -156,12 +156,12 @@ std::vector<LoadedPlugin> load_plugins(const Communicator& comm, LAMMPS_NS::LAMM
 {
     const std::string place = asked_by + this_rank(comm);
     Loading loading(lmp, place);
-    std::optional<std::string> problem;
+    std::optional<Problem> problem;
     try {
         for (const std::string& name : wanted)
             loading.prepare(name);
     } catch (const UserError& error) {
-        problem = error.what();
+        problem = error.problem();
     }
     comm.fail_together(problem);
     return loading.finish();

@@ -15,9 +15,9 @@
 #include "Time.H"
 #include "argList.H"
 #include "base/user_error.hpp"
+#include "engines/openfoam/foam_dictionary.hpp"
 #include "engines/openfoam/frozen_gas.hpp"
 #include "engines/openfoam/pimple_gas.hpp"
-#include "engines/openfoam/read_settings.hpp"
 #include "error.H"
 #include "foamVersion.H"
 
@@ -100,6 +100,27 @@ void refuse_what_is_not_solved(const Foam::Time& time)
                         "set it to laminar, or remove the file");
 }
 
+/// A file of the case, from its folder on, that holds a dictionary; an empty one where there is no such file.
+class DictionaryFile {
+public:
+    DictionaryFile(const Foam::fileName& folder, const std::string& file)
+        : dict_(parsed(folder / file)), adapted_(dict_, file)
+    {}
+
+    const Dictionary& adapted() const { return adapted_; }
+
+private:
+    static Foam::dictionary parsed(const Foam::fileName& file)
+    {
+        if (!Foam::isFile(file)) return {};
+        Foam::IFstream stream(file);
+        return Foam::dictionary(stream);
+    }
+
+    const Foam::dictionary dict_;
+    const FoamDictionary adapted_;
+};
+
 }  // namespace
 
 struct FoamCase::Parts {
@@ -109,6 +130,7 @@ struct FoamCase::Parts {
     std::unique_ptr<Foam::argList> args;
     std::optional<OutputToLog> output;
     std::unique_ptr<Foam::Time> time;
+    std::unique_ptr<DictionaryFile> coupling, scene;
     std::unique_ptr<Foam::fvMesh> mesh;
 };
 
@@ -133,7 +155,10 @@ FoamCase::FoamCase(int& argc, char**& argv) : parts_(std::make_unique<Parts>())
     const auto given = [&](const char* option) {
         return std::any_of(argv + 1, argv + argc, [option](const char* a) { return std::string(a) == option; });
     };
-    if (given("-help")) Foam::argList(argc, argv);  // shows it and exits
+    if (given("-help")) {
+        Foam::argList::addNote("`interphase -help keys` lists the keys of system/couplingDict.");
+        Foam::argList(argc, argv);  // shows it and exits
+    }
     const auto folder = case_folder(argc, argv);
     refuse_folder_without_case(folder);
     refuse_wrong_decomposition(folder);
@@ -154,18 +179,18 @@ FoamCase::FoamCase(int& argc, char**& argv) : parts_(std::make_unique<Parts>())
     Foam::FatalIOError.throwExceptions();
     std::filesystem::current_path(std::string(parts_->args->globalPath()));
     parts_->output.emplace(Foam::UPstream::master());
-    with_foam_errors(
-        [this] { parts_->time = std::make_unique<Foam::Time>(Foam::Time::controlDictName, *parts_->args); });
+    with_foam_errors([this] {
+        const Foam::fileName root = parts_->args->globalPath();
+        parts_->time = std::make_unique<Foam::Time>(Foam::Time::controlDictName, *parts_->args);
+        parts_->coupling = std::make_unique<DictionaryFile>(root, "system/couplingDict");
+        parts_->scene = std::make_unique<DictionaryFile>(root, "parameters");
+    });
 }
 
 FoamCase::~FoamCase() { parts_->output->flush(); }
 
-Settings FoamCase::read_settings() const
-{
-    Settings settings;
-    with_foam_errors([&] { settings = read_coupling_dict(parts_->args->globalPath()); });
-    return settings;
-}
+const Dictionary& FoamCase::coupling_dict() const { return parts_->coupling->adapted(); }
+const Dictionary& FoamCase::scene_parameters() const { return parts_->scene->adapted(); }
 
 std::unique_ptr<FoamGas> FoamCase::make_gas(const Settings& settings)
 {

@@ -6,20 +6,21 @@
 #include <string>
 
 #include "engines/openfoam/foam_gas.hpp"
+#include "settings/dictionary.hpp"
 #include "settings/settings.hpp"
 
 namespace interphase {
 
-/// The OpenFOAM case on disk: command line, time, settings and, where the scene has a gas, mesh and fields. What
+/// The OpenFOAM case on disk: command line, time, dictionaries and, where the scene has a gas, mesh and fields. What
 /// OpenFOAM says goes to log.openfoam in the case folder. (OpenFOAM's headers stay out of this one.)
 class FoamCase {
 public:
-    /// Reads the command line (-case DIR, -parallel, ...) and system/controlDict; makes DIR the current folder.
+    /// Reads the command line (-case DIR, -parallel, ...) and the dictionaries; makes DIR the current folder.
     FoamCase(int& argc, char**& argv);
     ~FoamCase();
 
-    /// system/couplingDict, checked. Throws a UserError that names file, line, value and remedy.
-    Settings read_settings() const;
+    const Dictionary& coupling_dict() const;     ///< system/couplingDict
+    const Dictionary& scene_parameters() const;  ///< the file `parameters`; empty where there is none
 
     /// Reads mesh and fields. Not for `gas { model none; }`.
     std::unique_ptr<FoamGas> make_gas(const Settings& settings);

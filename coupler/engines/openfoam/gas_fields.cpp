@@ -8,6 +8,10 @@
 #include "base/user_error.hpp"
 #include "fixedValueFvPatchFields.H"
 #include "fvcGrad.H"
+#include "fvcSnGrad.H"
+#include "fvcSurfaceIntegrate.H"
+#include "surfaceFields.H"
+#include "surfaceInterpolate.H"
 #include "zeroGradientFvPatchFields.H"
 
 namespace interphase {
@@ -108,6 +112,29 @@ Scalars GasFields::pressure_gradient() const
     return numbers;
 }
 
+Scalars GasFields::velocity_gradient() const
+{
+    const tmp<volTensorField> gradient = fvc::grad(U_);
+    Scalars numbers(9 * static_cast<std::size_t>(U_.size()));
+    forAll(U_, c)
+    {
+        for (direction entry = 0; entry < 9; ++entry)
+            numbers[9 * static_cast<std::size_t>(c) + entry] = gradient()[c][entry];
+    }
+    return numbers;
+}
+
+Scalars GasFields::viscous_force() const
+{
+    // summed over faces, with the schemes that every case has
+    const tmp<volTensorField> of_transpose = dev2(T(fvc::grad(U_)));
+    const surfaceVectorField traction(mesh_.magSf() * fvc::snGrad(U_) + (mesh_.Sf() & fvc::interpolate(of_transpose)));
+    Scalars numbers = flat(fvc::surfaceIntegrate(traction)());
+    for (double& number : numbers)
+        number *= mu_.value();
+    return numbers;
+}
+
 Scalars GasFields::gradient(const Scalars& of_cells) const
 {
     volScalarField field(
@@ -133,15 +160,16 @@ Scalars GasFields::stretching(const Scalars& flow) const
     return numbers;
 }
 
-std::optional<std::string> GasFields::trouble() const
+std::optional<Problem> GasFields::trouble() const
 {
     forAll(U_, c)
     {
         if (std::isfinite(magSqr(U_[c])) && std::isfinite(p_rgh_[c])) continue;
-        return "the gas field " + std::string(std::isfinite(p_rgh_[c]) ? "U" : "p_rgh") + " is not finite in cell " +
-               std::to_string(c) + " of rank " + std::to_string(UPstream::myProcNo()) + "\n  where:  at " +
-               text(part_.view().centre[static_cast<std::size_t>(c)]) +
-               "\n  remedy: reduce deltaT (or maxCo) in system/controlDict; look at the last written fields";
+        return Problem{"the gas field " + std::string(std::isfinite(p_rgh_[c]) ? "U" : "p_rgh") +
+                           " is not finite in cell " + std::to_string(c) + " of rank " +
+                           std::to_string(UPstream::myProcNo()),
+                       "at " + text(part_.view().centre[static_cast<std::size_t>(c)]),
+                       "reduce deltaT (or maxCo) in system/controlDict; look at the last written fields"};
     }
     return std::nullopt;
 }

@@ -18,14 +18,16 @@ public:
 
     const MeshView& mesh() const override { return part_.view(); }
     const CellLocator& locator() const override { return part_; }
-    double density() const override { return rho_.value(); }
-    double viscosity() const override { return mu_.value(); }
+    GasProperty density() const override { return rho_.value(); }
+    GasProperty viscosity() const override { return mu_.value(); }
     void set_voidage(const Scalars& voidage) override;
     Scalars velocity() const override;
     Scalars pressure_gradient() const override;
+    Scalars velocity_gradient() const override;
+    Scalars viscous_force() const override;
     Scalars gradient(const Scalars& of_cells) const override;
     Scalars stretching(const Scalars& flow) const override;
-    std::optional<std::string> trouble() const override;
+    std::optional<Problem> trouble() const override;
     double pressure_at(const Vector& point) const override;
     double total_volume() const override;
     Box bounds() const override;

@@ -21,6 +21,9 @@ namespace interphase {
 /// validity or not.
 using DragFactor = double (*)(const DragState&);
 
+/// What of a DragState a law looks at beside voidage and Reynolds number.
+enum class DragLooksAt { flow, mean_diameter, cell_size };
+
 struct DragLaw {
     /// As a case names it.
     std::string_view name;
@@ -28,6 +31,7 @@ struct DragLaw {
     /// The range that the law's source claims for it. Outside, the formula is evaluated as it stands.
     double voidage_min, voidage_max, reynolds_max;
     std::string_view reference;
+    DragLooksAt looks_at = DragLooksAt::flow;
 };
 
 /// Every law there is, the default one first.
@@ -42,7 +46,8 @@ const DragLaw* find_drag_law(std::string_view name);
 /// @param diameter       of the real particle [m], also where it stands for others in a parcel
 /// @param gas_density    [kg/m3]
 /// @param gas_viscosity  dynamic [Pa s]
+/// @param state          diameter ratio and filter size, for laws that look at them
 double drag_rate_per_volume(const DragLaw& law, double voidage, double slip_speed, double diameter, double gas_density,
-                            double gas_viscosity);
+                            double gas_viscosity, DragState state = {});
 
 }  // namespace interphase

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "base/user_error.hpp"
 #include "engines/openfoam/foam_case.hpp"
 
 namespace interphase::testing_gas {
@@ -180,7 +181,7 @@ public:
         }
         gas_->set_voidage(voidage);
         gas_->solve(scene_.gas_step, demand);
-        if (const auto trouble = gas_->trouble()) throw std::runtime_error(*trouble);
+        if (const auto trouble = gas_->trouble()) throw UserError(*trouble);
     }
 
     Vector velocity(std::size_t c) const

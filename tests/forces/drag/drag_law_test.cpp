@@ -64,8 +64,9 @@ const std::vector<StandardDrag> standard_drag_curve = {
 
 TEST(DragTable, holds_every_law_under_its_name)
 {
-    const std::vector<std::string> names = {"BVK",      "WenYu",    "Ergun",         "Gidaspow",
-                                            "DiFelice", "KochHill", "SyamlalOBrien", "SchillerNaumann"};
+    const std::vector<std::string> names = {
+        "BVK",      "WenYu",         "Ergun",           "Gidaspow",        "DiFelice",
+        "KochHill", "SyamlalOBrien", "SchillerNaumann", "BVKPolydisperse", "RadlSundaresan"};
     ASSERT_EQ(drag_laws().size(), names.size());
     for (const auto& name : names) {
         ASSERT_NE(find_drag_law(name), nullptr) << name;

@@ -2,7 +2,7 @@
 //
 // The drag rate of a step: exact where the law is linear, closer than that of the step's start where it is not, and
 // that of balance where the step is long, from whatever slip it starts.
-#include "momentum/rate_over_step.hpp"
+#include "forces/drag/rate_over_step.hpp"
 
 #include <gtest/gtest.h>
 

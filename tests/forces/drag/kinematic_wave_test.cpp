@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "momentum/kinematic_wave.hpp"
+#include "forces/drag/kinematic_wave.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forces/drag/drag.hpp"
+
+#include <cmath>
+
+#include "forces/drag/cluster_length.hpp"
+#include "forces/drag/rate_over_step.hpp"
+
+namespace interphase {
+
+Needs Drag::needs() const
+{
+    Needs needs;
+    needs.mean_diameter = law_.looks_at == DragLooksAt::mean_diameter;
+    return needs;
+}
+
+DragState Drag::asked_for(const ParticleInGas& at) const
+{
+    DragState state;
+    switch (law_.looks_at) {
+        case DragLooksAt::flow:
+            break;
+        case DragLooksAt::mean_diameter:
+            state.diameter_ratio = at.diameter / at.mean_diameter;
+            break;
+        case DragLooksAt::cell_size:
+            state.filter_size =
+                std::cbrt(at.cell_extent.prod()) /
+                cluster_length(at.diameter, at.mass / at.volume, at.density, at.viscosity, at.gravity.norm());
+            break;
+    }
+    return state;
+}
+
+double Drag::rate_at(const ParticleInGas& at, double voidage, double slip_speed) const
+{
+    return at.volume *
+           drag_rate_per_volume(law_, voidage, slip_speed, at.diameter, at.density, at.viscosity, asked_for(at));
+}
+
+void Drag::act(const ParticleInGas& at, Response& response)
+{
+    const Vector slip = at.slip();
+    const double eps = at.voidage;
+    const double reynolds = eps * at.density * slip.norm() * at.diameter / at.viscosity;
+    beyond_range_ += eps < law_.voidage_min || eps > law_.voidage_max || reynolds > law_.reynolds_max;
+
+    const DragState asked = asked_for(at);
+    const auto rate_of = [&](double speed) {
+        return at.volume * drag_rate_per_volume(law_, eps, speed, at.diameter, at.density, at.viscosity, asked);
+    };
+    const double inertia = at.mass + response.added_mass;
+    Vector acceleration = at.gravity - response.pressed_volume / at.mass * at.pressure_gradient;
+    acceleration += response.force / at.mass;
+    response.rate +=
+        rate_over_step(rate_of, slip, inertia, (1 - at.held) * (at.mass / inertia) * acceleration, at.duration);
+}
+
+}  // namespace interphase

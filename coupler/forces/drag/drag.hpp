@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "forces/drag/drag_law.hpp"
+#include "forces/term.hpp"
+
+namespace interphase {
+
+/// Drag by a law: the rate k that stands for a whole step (rate_over_step.hpp). It acts last, since the slip half way
+/// through the step depends on what the other terms do.
+class Drag : public Term {
+public:
+    explicit Drag(const DragLaw& law) : law_(law) {}
+
+    Needs needs() const override;
+    void act(const ParticleInGas& at, Response& response) override;
+
+    /// k [kg/s] of a tracked particle, were the voidage and the slip's speed [m/s] these.
+    double rate_at(const ParticleInGas& at, double voidage, double slip_speed) const;
+
+    std::vector<Count> counts() const override
+    {
+        return {{"beyond_drag_range", "particles beyond the drag law's range", beyond_range_}};
+    }
+
+private:
+    /// What a law may ask for beside voidage and Reynolds number.
+    DragState asked_for(const ParticleInGas& at) const;
+
+    const DragLaw& law_;
+    long beyond_range_ = 0;
+};
+
+}  // namespace interphase

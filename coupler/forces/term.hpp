@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "forces/needs.hpp"
+#include "forces/particle_in_gas.hpp"
+#include "forces/response.hpp"
+
+namespace interphase {
+
+/// Something that was counted on this rank since the start, and is told: a range that was left, a clamp.
+struct Count {
+    std::string key;   ///< as records name it
+    std::string text;  ///< as the summary does
+    long number = 0;
+};
+
+/// An interphase term: one part of what the gas does to the particles.
+class Term {
+public:
+    virtual ~Term() = default;
+
+    virtual Needs needs() const { return {}; }
+
+    /// Adds to `response` what the term does to one particle. Terms act in the order of terms.cpp; drag, which depends
+    /// on what the others do, is the last.
+    virtual void act(const ParticleInGas& at, Response& response) = 0;
+
+    virtual std::vector<Count> counts() const { return {}; }
+};
+
+}  // namespace interphase

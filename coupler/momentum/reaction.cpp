@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "momentum/reaction.hpp"
+
+#include <cmath>
+
+#include "momentum/drag_response.hpp"
+
+namespace interphase {
+
+Reaction reaction_of(const ParticleInGas& at, const Response& response, double doubt, const Vector& owed, Motion motion)
+{
+    const double k = response.rate, m = at.mass, dt = at.duration, added = response.added_mass;
+    const AssumedDrag drag = assume_drag(m, k, at.held, at.gravity, dt, added);
+    const double stiff = stiffening(k, m, doubt, dt, added);
+    const double taken = 1 - drag.following;  // of every force of the gas, by the particle
+    const double per_acceleration = taken * response.gas_mass / dt;
+
+    Reaction reaction;
+    reaction.rate = drag.kappa + stiff + per_acceleration;
+    // the part of the force that does not wait for the gas solve
+    set(reaction.source, drag.kappa * at.velocity + stiff * at.gas_velocity + (drag.carried - owed) / dt +
+                             per_acceleration * at.gas_velocity - taken * response.force);
+    reaction.following = drag.following * response.pressed_volume + (at.volume - response.pressed_volume);
+
+    const double x = k * dt / (m + added);
+    const double share =
+        motion == Motion::by_new_forces ? -(1 - at.held) * std::expm1(-x) : (1.0 - at.held) * withheld_share(x);
+    const double moving = share * at.volume, per_rate = k > 0 ? 1.0 / k : 0.0;
+    const double by_acceleration = moving * per_rate * response.gas_mass / dt;
+    reaction.moving = moving + by_acceleration;
+    reaction.mobility = moving * response.pressed_volume * per_rate;
+    set(reaction.flux, (at.volume - moving) * at.velocity + moving * m * per_rate * at.gravity +
+                           moving * per_rate * response.force - by_acceleration * at.gas_velocity);
+    return reaction;
+}
+
+Vector assumed_impulse(const Reaction& reaction, double volume, const Vector& owed, const Vector& gas_velocity,
+                       const Vector& pressure_gradient, double duration)
+{
+    const Vector drag = duration * (reaction.rate * gas_velocity - to_vector(reaction.source)) - owed;
+    return drag - duration * (volume - reaction.following) * pressure_gradient;
+}
+
+}  // namespace interphase

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "settings/read_settings.hpp"
+
+#include "base/text.hpp"
+#include "forces/drag/drag_law.hpp"
+#include "forces/terms.hpp"
+#include "settings/reader.hpp"
+
+namespace interphase {
+
+namespace {
+
+void read_method(Reader& dict, Settings& settings)
+{
+    Reader::Choices<Method> methods;
+    for (const Method method : all_methods)
+        methods.emplace_back(name_of(method), method);
+    dict.choice({"method",
+                 "who handles collisions: pair styles of LIGGGHTS (DEM, CGPM), hard spheres (TDHS, CGHS), a stress of "
+                 "the solids (MPPIC), a plug-in of your own (PLUGIN)"},
+                settings.method, methods);
+    dict.number({"weight", "real particles per tracked one, unless the script gives each its own"}, settings.weight,
+                at_least(1));
+    const std::string method = name_of(settings.method);
+    if (!tracks_parcels(settings.method) && settings.weight != 1)
+        throw dict.complaint(
+            "weight", "`weight " + text(settings.weight) + ";` with method " + method + ", which tracks real particles",
+            std::string("set `weight 1;`, or `method ") + (method == "DEM" ? "CGPM" : "CGHS") + ";`");
+}
+
+void read_plugins(Reader& dict, Settings& settings)
+{
+    dict.names({"plugins", "plug-ins with fix styles for the script, by name or \"path\""}, settings.plugins);
+    const std::string method = name_of(settings.method);
+    if (resolves_contacts(settings.method) || !settings.plugins.empty()) return;
+    throw dict.complaint("method", "`method " + method + ";` takes its collisions from a plug-in, and none is named",
+                         is_hard_sphere(settings.method) ? "add `plugins (hard_sphere);`"
+                         : settings.method == Method::mp_pic
+                             ? "add `plugins (mp_pic);`"
+                             : "add `plugins (NAME);` with the name or \"path\" of yours");
+}
+
+/// How long a solid step is: given, or by one of two rules.
+void read_solid_step(Reader& dict, Settings& settings)
+{
+    const bool resolved = resolves_contacts(settings.method);
+    if (is_hard_sphere(settings.method)) settings.steps_per_collision = 1;
+    dict.number({"stepsPerCollision",
+                 "solid steps in the time of one collision: 10 to 60 are usual where they resolve it; elsewhere the "
+                 "time is that of a DEM",
+                 "", text(Settings().steps_per_collision) + " (hard spheres: 1)",
+                 "at least 10 (where a plug-in collides: above 0)"},
+                settings.steps_per_collision, resolved ? at_least(10) : above(0));
+    dict.number(
+        {"solidStep", "time of a solid step, where it is given instead", "s", "the collision time / stepsPerCollision"},
+        settings.solid_step, above(0));
+    dict.number({"largestOverlap",
+                 "part of the tracked diameter that two spheres may overlap: sets the solid step, with impactSpeed, "
+                 "where a plug-in collides",
+                 "", "none"},
+                settings.largest_overlap, between(0, 1));
+    dict.number({"impactSpeed", "speed at which spheres meet, for largestOverlap", "m/s", "none"},
+                settings.impact_speed, above(0));
+
+    if (settings.method == Method::mp_pic)
+        for (const char* key : {"stepsPerCollision", "largestOverlap", "impactSpeed"})
+            if (dict.has(key))
+                throw dict.complaint(key, std::string(key) + " with method MPPIC, which has no single collisions",
+                                     "leave it away for the gas step, or give solidStep");
+    for (const char* key : {"largestOverlap", "impactSpeed"})
+        if (resolved && dict.has(key))
+            throw dict.complaint(key,
+                                 std::string(key) + " with method " + name_of(settings.method) +
+                                     ", whose step has to resolve each contact",
+                                 "give stepsPerCollision or solidStep instead");
+    if (dict.has("largestOverlap") != dict.has("impactSpeed")) {
+        const char* given = dict.has("largestOverlap") ? "largestOverlap" : "impactSpeed";
+        throw dict.complaint(given, std::string(given) + " is given alone",
+                             "give both: the solid step is largestOverlap * diameter / impactSpeed");
+    }
+    std::vector<std::string> rules;
+    for (const char* key : {"stepsPerCollision", "solidStep", "largestOverlap"})
+        if (dict.has(key)) rules.emplace_back(key);
+    if (rules.size() > 1)
+        throw dict.complaint(rules[1], "both " + rules[1] + " and " + rules[0] + " are given", "keep one of them");
+}
+
+void read_particles(Reader& dict, Settings& settings, const std::filesystem::path& folder)
+{
+    dict.required_text({"script", "LIGGGHTS script, from the case folder on"}, settings.script,
+                       "name the LIGGGHTS script, e.g. `script \"dem/in.liggghts\";`");
+    if (dict.has("script") && !std::filesystem::is_regular_file(folder / settings.script))
+        throw dict.complaint("script", "there is no LIGGGHTS script `" + settings.script + "` in the case",
+                             "correct the name, or put the script there");
+    dict.own_entries({"variables", "handed to the script as LIGGGHTS variables, with `weight`"}, settings.variables);
+    read_solid_step(dict, settings);
+}
+
+void read_gas(Reader& dict, Settings& settings)
+{
+    dict.choice({"model", "solved (pimple), held as its fields say (frozen), or none"}, settings.gas,
+                {{"pimple", GasModel::pimple}, {"frozen", GasModel::frozen}, {"none", GasModel::none}});
+    const bool solved = settings.gas == GasModel::pimple;
+    settings.two_way = solved;
+    dict.choice({"coupling", "whether the particles act on the gas", "", "twoWay (a gas that is not solved: oneWay)"},
+                settings.two_way, {{"twoWay", true}, {"oneWay", false}});
+    if (settings.two_way && !solved)
+        throw dict.complaint("coupling",
+                             std::string("`coupling twoWay;` with a gas that is not solved (model ") +
+                                 (settings.gas == GasModel::frozen ? "frozen" : "none") + ")",
+                             "set `coupling oneWay;`");
+}
+
+void read_drag(Reader& dict, Settings& settings)
+{
+    std::vector<std::string> laws;
+    for (const DragLaw& law : drag_laws())
+        laws.emplace_back(law.name);
+    dict.choice({"law", "drag law, on the real particle's diameter"}, settings.drag_law, laws);
+}
+
+void read_mapping(Reader& dict, Settings& settings)
+{
+    dict.choice({"type", "what a particle belongs to: cells in a kernel's reach, or the one that holds its centre"},
+                settings.mapping, {{"kernel", MappingType::kernel}, {"cellCentre", MappingType::cell_centre}});
+    dict.number({"width", "the kernel's least half-width", "m", "two diameters of the tracked sphere"},
+                settings.kernel_width, above(0));
+    if (settings.kernel_width > 0 && settings.mapping == MappingType::cell_centre)
+        throw dict.complaint("width", "a kernel width with `type cellCentre;`", "remove it, or set `type kernel;`");
+    dict.number({"maximumPacking", "solid fraction above which a cell hands its excess to its neighbours"},
+                settings.maximum_packing, between(0, 1));
+}
+
+void read_records(Reader& dict, Settings& settings)
+{
+    dict.number({"interval", "time between two rows of /series", "s"}, settings.record_interval, above(0));
+    dict.number({"snapshotInterval", "time between two snapshots of the particles", "s", "when the gas is written"},
+                settings.snapshot_interval, above(0));
+    dict.points({"pressureTaps", "the pressure of the first less that of the second is recorded", "m"},
+                settings.pressure_taps, 2,
+                "give two points: the pressure of the first less that of the second is recorded");
+}
+
+void read_all(Reader& dict, Settings& settings, const std::filesystem::path& folder)
+{
+    read_method(dict, settings);
+    read_plugins(dict, settings);
+    dict.required_block({"particles", "what LIGGGHTS is to do; of the keys for the solid step, one rule at most"},
+                        "add it, with the LIGGGHTS script",
+                        [&](Reader& block) { read_particles(block, settings, folder); });
+    dict.block({"gas", "what is solved of the gas"}, [&](Reader& block) { read_gas(block, settings); });
+    dict.block({"drag", "the drag of the particles"}, [&](Reader& block) { read_drag(block, settings); });
+    dict.names({"forces", "interphase terms beside drag and the pressure gradient"}, settings.forces,
+               names_of_optional_terms());
+    dict.block({"mapping", "between particles and gas cells"}, [&](Reader& block) { read_mapping(block, settings); });
+    dict.choice(
+        {"outsideMesh",
+         "what becomes of particles whose centre is in no gas cell: the run stops, or they move without gas, counted"},
+        settings.outside_mesh, {{"stop", OutsideMesh::stop}, {"ignore", OutsideMesh::ignore}});
+    dict.block({"records", "what is written to results.h5 and particles.h5"},
+               [&](Reader& block) { read_records(block, settings); });
+}
+
+}  // namespace
+
+Settings read_settings(const Dictionary& coupling, const Dictionary& scene, const std::filesystem::path& folder)
+{
+    Settings settings;
+    Reader dict(coupling);
+    read_all(dict, settings, folder);
+    dict.refuse_unknown_keys(scene.keys());
+    return settings;
+}
+
+std::vector<KeyDescription> setting_keys()
+{
+    std::vector<KeyDescription> keys;
+    Reader dict(keys);
+    Settings defaults;
+    read_all(dict, defaults, {});
+    return keys;
+}
+
+}  // namespace interphase

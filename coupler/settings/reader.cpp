@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "settings/reader.hpp"
+
+#include <algorithm>
+
+#include "base/text.hpp"
+
+namespace interphase {
+
+namespace {
+
+bool is_among(const std::string& name, const std::vector<std::string>& names)
+{
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string alternatives(const std::vector<std::string>& names)
+{
+    std::string all;
+    for (const std::string& name : names)
+        all += (all.empty() ? "" : " | ") + name;
+    return all;
+}
+
+std::string did_you_mean(const std::string& name, const std::vector<std::string>& names)
+{
+    const std::string near = nearest_name(name, names);
+    return near.empty() ? "" : "did you mean `" + near + "`? ";
+}
+
+}  // namespace
+
+void Reader::ask(const Key& key, const std::string& values, const std::string& fallback)
+{
+    if (!is_among(key.name, known_)) known_.push_back(key.name);
+    if (descriptions_)
+        descriptions_->push_back(
+            {block_, key.name, values, key.fallback.empty() ? fallback : key.fallback, key.meaning});
+}
+
+void Reader::number(const Key& key, double& value, const Range& range)
+{
+    const std::string unit = key.unit.empty() ? "" : " [" + key.unit + "]";
+    ask(key, "number" + unit + ", " + (key.values.empty() ? range.words : key.values), text(value));
+    if (!has(key.name)) return;
+    const auto given = dictionary_->number(key.name);
+    if (!given || !range.holds(*given))
+        throw complaint(key.name,
+                        "`" + key.name + " " + (given ? text(*given) : dictionary_->written(key.name)) +
+                            ";` is not accepted: it must be a number" + unit + ", " + range.words + " (" + key.meaning +
+                            ")",
+                        "correct the value (SI units)");
+    value = *given;
+}
+
+UserError Reader::nothing_there(const Key& key, const std::string& name, const std::string& shown,
+                                const std::vector<std::string>& choices) const
+{
+    return complaint(key.name, "`" + key.name + " " + shown + ";` names nothing that is there",
+                     did_you_mean(name, choices) + "choose one of " + listed(choices));
+}
+
+std::size_t Reader::choose(const Key& key, std::size_t fallback, const std::vector<std::string>& choices)
+{
+    ask(key, alternatives(choices), choices[fallback]);
+    if (!has(key.name)) return fallback;
+    const std::string name = dictionary_->text(key.name).value_or(dictionary_->written(key.name));
+    const auto found = std::find(choices.begin(), choices.end(), name);
+    if (found == choices.end()) throw nothing_there(key, name, name, choices);
+    return static_cast<std::size_t>(found - choices.begin());
+}
+
+void Reader::choice(const Key& key, std::string& value, const std::vector<std::string>& choices)
+{
+    Choices<std::string> by_name;
+    for (const std::string& name : choices)
+        by_name.emplace_back(name, name);
+    choice(key, value, by_name);
+}
+
+void Reader::required_text(const Key& key, std::string& value, const std::string& remedy)
+{
+    ask(key, "text", "");
+    if (!dictionary_) return;
+    if (!has(key.name)) throw complaint(key.name, "the entry `" + key.name + "` is missing", remedy);
+    const auto given = dictionary_->text(key.name);
+    if (!given)
+        throw complaint(key.name,
+                        "`" + key.name + " " + dictionary_->written(key.name) + ";` is not accepted: it must be a text",
+                        "write it in quotes");
+    value = *given;
+}
+
+void Reader::names(const Key& key, std::vector<std::string>& value, const std::vector<std::string>& choices)
+{
+    ask(key, choices.empty() ? "list of names" : "list of " + alternatives(choices), "()");
+    if (!has(key.name)) return;
+    const std::string written = dictionary_->written(key.name);
+    const auto given = dictionary_->names(key.name);
+    if (!given)
+        throw complaint(key.name, "`" + key.name + " " + written + ";` is no list of names",
+                        "write `" + key.name + " (one \"another/one\");`");
+    for (const std::string& name : *given)
+        if (!choices.empty() && !is_among(name, choices)) throw nothing_there(key, name, "(" + name + ")", choices);
+    value = *given;
+}
+
+void Reader::points(const Key& key, std::vector<Vector>& value, std::size_t count, const std::string& remedy)
+{
+    ask(key, std::to_string(count) + " points [" + key.unit + "]", "none");
+    if (!has(key.name)) return;
+    const auto given = dictionary_->points(key.name);
+    if (!given)
+        throw complaint(key.name, "`" + key.name + " " + dictionary_->written(key.name) + ";` is no list of points",
+                        "write `" + key.name + " ((x y z) (x y z));`");
+    if (given->size() != count)
+        throw complaint(
+            key.name,
+            "`" + key.name + "` has " + std::to_string(given->size()) + " of " + std::to_string(count) + " points",
+            remedy);
+    value = *given;
+}
+
+void Reader::own_entries(const Key& key, std::vector<std::pair<std::string, std::string>>& value)
+{
+    block(key, [&](Reader& entries) {
+        if (!entries.dictionary_) return;
+        for (const std::string& name : entries.dictionary_->keys()) {
+            entries.known_.push_back(name);
+            if (entries.dictionary_->block(name))
+                throw entries.complaint(name, "`" + name + "` is a block, where a value belongs",
+                                        "write `" + name + " VALUE;`");
+            value.emplace_back(name, entries.dictionary_->text(name).value_or(entries.dictionary_->written(name)));
+        }
+    });
+}
+
+void Reader::block(const Key& key, const std::function<void(Reader&)>& read)
+{
+    ask(key, "", "");
+    Reader inside = *this;
+    inside.known_.clear();
+    inside.dictionary_ = nullptr;
+    inside.block_ = block_.empty() ? key.name : block_ + "." + key.name;
+    std::unique_ptr<Dictionary> entries;
+    if (has(key.name)) {
+        entries = dictionary_->block(key.name);
+        if (!entries)
+            throw complaint(key.name, "`" + key.name + "` is not a block in braces",
+                            "write `" + key.name + " { ... }`");
+        inside.dictionary_ = entries.get();
+    }
+    read(inside);
+    inside.refuse_unknown_keys();
+}
+
+void Reader::required_block(const Key& key, const std::string& remedy, const std::function<void(Reader&)>& read)
+{
+    if (dictionary_ && !has(key.name))
+        throw complaint(key.name, "the block `" + key.name + " { ... }` is missing", remedy);
+    block(key, read);
+}
+
+UserError Reader::complaint(const std::string& key, const std::string& what, const std::string& remedy) const
+{
+    return UserError(what, dictionary_ ? dictionary_->place(key) : block_, remedy);
+}
+
+void Reader::refuse_unknown_keys(const std::vector<std::string>& ignored) const
+{
+    if (!dictionary_) return;
+    for (const std::string& key : dictionary_->keys())
+        if (!is_among(key, known_) && !is_among(key, ignored))
+            throw complaint(key, "unknown entry `" + key + "`",
+                            did_you_mean(key, known_) + "known here: " + listed(known_));
+}
+
+}  // namespace interphase
