@@ -72,5 +72,13 @@ class RecordVersion(unittest.TestCase):
         self.assertEqual(self.recorded(), ("unknown", "unknown"))
 
 
+class Citation(unittest.TestCase):
+    def test_cites_the_version_that_is_built(self):
+        built = re.search(r"^    VERSION (\S+)$", (SOURCE / "CMakeLists.txt").read_text(), re.M).group(1)
+        cited = re.search(r"^version: (\S+)$", (SOURCE / "CITATION.cff").read_text(), re.M).group(1)
+        self.assertEqual(cited, built)
+        self.assertIn(f"\n## {built}\n", (SOURCE / "CHANGELOG.md").read_text())
+
+
 if __name__ == "__main__":
     unittest.main()
