@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "engines/liggghts/liggghts_solids.hpp"
+#include "engines/liggghts/solids/liggghts_solids.hpp"
 #include "engines/openfoam/foam_case.hpp"
 #include "records/particle_snapshots.hpp"
 #include "records/results.hpp"

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <set>
 
-#include "engines/liggghts/liggghts_solids.hpp"
+#include "engines/liggghts/solids/liggghts_solids.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/world.hpp"
 
