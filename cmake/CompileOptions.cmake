@@ -12,6 +12,11 @@ endif()
 
 add_library(interphase_options INTERFACE)
 target_compile_options(interphase_options INTERFACE -Wall -Wextra)
+# Off by default and in the preset that users build with: another compiler's new warning must not keep anybody from running a
+# case. On in the preset sanitize, and in .ci/run for everything.
+if(INTERPHASE_WERROR)
+    target_compile_options(interphase_options INTERFACE -Werror)
+endif()
 if(INTERPHASE_NATIVE)
     target_compile_options(interphase_options INTERFACE -march=native)
 endif()

@@ -2,7 +2,8 @@
 
 # Surroundings of every test. Root is common in containers, and Open MPI wants to be told; ranks share cores in a
 # test, so none is bound to one and none spins while it waits; the copy between processes that containers forbid
-# is not tried. OpenFOAM's libraries look for their controlDict as soon as they are loaded.
+# is not tried. When one rank leaves with an error, as many tests want, mpirun ends the others at once instead of after
+# a second. OpenFOAM's libraries look for their controlDict as soon as they are loaded.
 set(_interphase_test_environment
     OMPI_ALLOW_RUN_AS_ROOT=1
     OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
@@ -10,6 +11,7 @@ set(_interphase_test_environment
     OMPI_MCA_hwloc_base_binding_policy=none
     OMPI_MCA_mpi_yield_when_idle=1
     OMPI_MCA_btl_vader_single_copy_mechanism=none
+    OMPI_MCA_odls_base_sigkill_timeout=0
     OMP_NUM_THREADS=1
     "INTERPHASE_SOURCE=${PROJECT_SOURCE_DIR}"
     "INTERPHASE_BUILD=${PROJECT_BINARY_DIR}")

@@ -8,6 +8,8 @@
 #include <string>
 
 #include "base/stop_together.hpp"
+#include "base/version.hpp"
+#include "engines/openfoam/foam_case.hpp"
 #include "run/coupled_run.hpp"
 #include "settings/key_page.hpp"
 #include "settings/read_settings.hpp"
@@ -43,6 +45,12 @@ std::optional<std::string> run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+    if (argc == 2 && (std::string(argv[1]) == "-version" || std::string(argv[1]) == "--version")) {
+        std::printf("%sengines: LIGGGHTS %s, OpenFOAM %s\n",
+                    interphase::description(interphase::this_version()).c_str(), INTERPHASE_LIGGGHTS_VERSION,
+                    interphase::FoamCase::version().c_str());
+        return 0;
+    }
     // a value that is not finite is reported by the coupler with its place; a trap would only end the process
     setenv("FOAM_SIGFPE", "false", 0);
     // results can be looked at while the run goes on: the file is complete after every flush

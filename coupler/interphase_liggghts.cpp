@@ -9,7 +9,7 @@
 
 #include "base/stop_together.hpp"
 #include "base/user_error.hpp"
-#include "engines/liggghts/native_run.hpp"
+#include "engines/liggghts/script/native_run.hpp"
 
 namespace {
 

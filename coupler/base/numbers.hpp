@@ -6,8 +6,8 @@
 
 namespace interphase {
 
-/// A record of doubles only (a struct, or one double) as an array of them, to be weighted and summed. Its width is known
-/// to the compiler, which unrolls.
+/// A record of doubles only (a struct, or one double) as an array of them, to be weighted and summed. Its width is
+/// known to the compiler, which unrolls.
 template <class Record>
 constexpr int width_of = static_cast<int>(sizeof(Record) / sizeof(double));
 

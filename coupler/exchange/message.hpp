@@ -26,13 +26,13 @@ public:
     Message& add(std::vector<Record>& out, std::vector<Record>& in)
     {
         static_assert(std::is_trivially_copyable_v<Record>);
-        blocks_.push_back({sizeof(Record),
-                           [&out, &in](std::size_t arriving) {
-                               in.resize(arriving);
-                               return Ends{reinterpret_cast<const char*>(out.data()),
-                                           reinterpret_cast<char*>(in.data())};
-                           },
-                           [&out, &in] { in.swap(out); }});
+        blocks_.push_back(
+            {sizeof(Record),
+             [&out, &in](std::size_t arriving) {
+                 in.resize(arriving);
+                 return Ends{reinterpret_cast<const char*>(out.data()), reinterpret_cast<char*>(in.data())};
+             },
+             [&out, &in] { in.swap(out); }});
         return *this;
     }
 

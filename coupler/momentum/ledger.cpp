@@ -18,15 +18,15 @@ ExchangeAccount::ExchangeAccount(std::string key, std::string sides, std::string
 
 void ExchangeAccount::clear()
 {
-    for (Eigen::VectorXd* numbers : {&step.given_by_gas, &step.taken_by_particles, &step.owed,
-                                     &step.assumed_of_particles, &step.assumed_at_start})
+    for (Eigen::VectorXd* numbers :
+         {&step.given_by_gas, &step.taken_by_particles, &step.owed, &step.assumed_of_particles, &step.assumed_at_start})
         numbers->setZero(components_);
 }
 
 void ExchangeAccount::hand_in(Scalars& numbers) const
 {
-    for (const Eigen::VectorXd* part : {&step.given_by_gas, &step.taken_by_particles, &step.owed,
-                                        &step.assumed_of_particles, &step.assumed_at_start})
+    for (const Eigen::VectorXd* part :
+         {&step.given_by_gas, &step.taken_by_particles, &step.owed, &step.assumed_of_particles, &step.assumed_at_start})
         numbers.insert(numbers.end(), part->data(), part->data() + components_);
 }
 
@@ -59,10 +59,7 @@ const double* SharedAccount::book(const double* sums, bool)
     return sums + 2;
 }
 
-void StockAccount::hand_in(Scalars& numbers) const
-{
-    numbers.insert(numbers.end(), {step.content, step.in, step.out});
-}
+void StockAccount::hand_in(Scalars& numbers) const { numbers.insert(numbers.end(), {step.content, step.in, step.out}); }
 
 const double* StockAccount::book(const double* sums, bool)
 {

@@ -7,8 +7,7 @@
 
 namespace interphase {
 
-Reaction reaction_of(const ParticleInGas& at, const Response& response, double doubt, const Vector& owed,
-                     Motion motion)
+Reaction reaction_of(const ParticleInGas& at, const Response& response, double doubt, const Vector& owed, Motion motion)
 {
     const double k = response.rate, m = at.mass, dt = at.duration, added = response.added_mass;
     const AssumedDrag drag = assume_drag(m, k, at.held, at.gravity, dt, added);
@@ -24,8 +23,8 @@ Reaction reaction_of(const ParticleInGas& at, const Response& response, double d
     reaction.following = drag.following * response.pressed_volume + (at.volume - response.pressed_volume);
 
     const double x = k * dt / (m + added);
-    const double share = motion == Motion::by_new_forces ? -(1 - at.held) * std::expm1(-x)
-                                                         : (1.0 - at.held) * withheld_share(x);
+    const double share =
+        motion == Motion::by_new_forces ? -(1 - at.held) * std::expm1(-x) : (1.0 - at.held) * withheld_share(x);
     const double moving = share * at.volume, per_rate = k > 0 ? 1.0 / k : 0.0;
     const double by_acceleration = moving * per_rate * response.gas_mass / dt;
     reaction.moving = moving + by_acceleration;

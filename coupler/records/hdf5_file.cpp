@@ -171,6 +171,18 @@ void Hdf5File::write_rows(const std::string& path, const std::string& unit, hid_
         throw UserError("HDF5 could not write " + path, "the case folder", "check that the disk is not full");
 }
 
+void Hdf5File::write_text(const std::string& path, const std::string& text)
+{
+    const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "a text type");
+    H5Tset_size(type, text.empty() ? 1 : text.size());
+    H5Tset_cset(type, H5T_CSET_UTF8);
+    const Hdf5Handle scalar(H5Screate(H5S_SCALAR), H5Sclose, "a data space");
+    const Hdf5Handle data_set(
+        H5Dcreate2(file_, path.c_str(), type, scalar, with_parent_groups(), H5P_DEFAULT, H5P_DEFAULT), H5Dclose, path);
+    if (H5Dwrite(data_set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()) < 0)
+        throw UserError("HDF5 could not write " + path, "the case folder", "check that the disk is not full");
+}
+
 void Hdf5File::flush() { H5Fflush(file_, H5F_SCOPE_GLOBAL); }
 
 }  // namespace interphase

@@ -52,6 +52,9 @@ public:
     void write_rows(const std::string& path, const std::string& unit, hid_t type, const void* data, std::size_t rows,
                     std::size_t columns, std::size_t first_row, std::size_t all_rows);
 
+    /// Writes a new scalar data set of a text without zero bytes.
+    void write_text(const std::string& path, const std::string& text);
+
     void flush();
 
 private:

@@ -35,6 +35,11 @@ void Results::describe_box(const std::string& group, const std::string& name, co
     file_->set_attribute(group, name, std::vector<double>(corners.data(), corners.data() + 6), {2, 3});
 }
 
+void Results::keep_text(const std::string& path, const std::string& text)
+{
+    if (file_) file_->write_text(path, text);
+}
+
 void Results::flush()
 {
     if (!file_) return;

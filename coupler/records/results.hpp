@@ -32,6 +32,9 @@ public:
     void describe(const std::string& group, const std::string& name, double value);
     void describe_box(const std::string& group, const std::string& name, const Box& box);
 
+    /// A text as a data set of its own, e.g. "/meta/inputs/system/controlDict", which can be described like a group.
+    void keep_text(const std::string& path, const std::string& text);
+
     void flush();
 
 private:

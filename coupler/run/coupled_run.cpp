@@ -7,6 +7,7 @@
 
 #include "base/text.hpp"
 #include "base/user_error.hpp"
+#include "records/provenance.hpp"
 #include "settings/read_settings.hpp"
 
 namespace interphase {
@@ -90,7 +91,7 @@ CoupledRun::CoupledRun(int& argc, char**& argv)
 void CoupledRun::describe_run()
 {
     const std::optional<double> contact = solids_->contact_duration();
-    report_.head({{"interphase", solids_->version() + ", OpenFOAM " + case_.version()},
+    report_.head({{"interphase", solids_->version() + ", OpenFOAM " + FoamCase::version()},
                   {"case", case_.name()},
                   {"method", name_of(settings_.method)},
                   {"particles", numbers_of(at_start_)},
@@ -114,7 +115,10 @@ void CoupledRun::describe_run()
     meta.describe("/meta", "solid_step", clock_.solid_step());
     meta.describe("/meta", "gas_step", gas_step_);
     meta.describe("/meta", "drag_law", settings_.drag_law);
-    meta.describe("/meta", "versions", "interphase 0.1, " + solids_->version() + ", OpenFOAM " + case_.version());
+    const Version version = this_version();
+    meta.describe("/meta", "versions",
+                  name_and_number(version) + ", " + solids_->version() + ", OpenFOAM " + FoamCase::version());
+    if (comm_.is_master()) record_provenance(meta, version, case_inputs(".", settings_.script, settings_.variables));
     if (!gas_) return;
     meta.describe_box("/meta", "domain", gas_->bounds());
     const Vector g = gas_->gravity();
@@ -180,13 +184,12 @@ void CoupledRun::step()
         std::vector<Results::Entry> row{{"time", "s", case_.time()}};
         for (const Account* account : coupling_->ledger().accounts())
             row.push_back({account->key() + "_residual", "1", account->residual()});
-        row.insert(row.end(),
-                   {{"steps_alternating", "1", static_cast<double>(counts.stability.alternating)},
-                    {"steps_accelerating", "1", static_cast<double>(counts.stability.accelerating)},
-                    {"steps_across_cells", "1", static_cast<double>(counts.stability.crossing)},
-                    {"steps_outrun_by_waves", "1", static_cast<double>(counts.stability.outrun)},
-                    {"cells_relieved", "1", static_cast<double>(counts.cells_relieved)},
-                    {"particles_outside_mesh", "1", static_cast<double>(counts.outside_mesh)}});
+        row.insert(row.end(), {{"steps_alternating", "1", static_cast<double>(counts.stability.alternating)},
+                               {"steps_accelerating", "1", static_cast<double>(counts.stability.accelerating)},
+                               {"steps_across_cells", "1", static_cast<double>(counts.stability.crossing)},
+                               {"steps_outrun_by_waves", "1", static_cast<double>(counts.stability.outrun)},
+                               {"cells_relieved", "1", static_cast<double>(counts.cells_relieved)},
+                               {"particles_outside_mesh", "1", static_cast<double>(counts.outside_mesh)}});
         for (const Count& count : counts.of_terms)
             row.push_back({count.key, "1", static_cast<double>(count.number)});
         if (coupling_->has_solid_stress())

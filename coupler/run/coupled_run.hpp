@@ -4,11 +4,11 @@
 #include <memory>
 #include <optional>
 
-#include "run/lockstep_clock.hpp"
-#include "engines/liggghts/liggghts_solids.hpp"
+#include "engines/liggghts/solids/liggghts_solids.hpp"
 #include "engines/openfoam/foam_case.hpp"
 #include "records/particle_snapshots.hpp"
 #include "records/results.hpp"
+#include "run/lockstep_clock.hpp"
 #include "run/population.hpp"
 #include "run/report.hpp"
 #include "step/coupling_step.hpp"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 
 namespace interphase {
@@ -16,7 +17,7 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 std::string duration(double seconds)
 {
     char text[32];
-    const long s = static_cast<long>(seconds + 0.5);
+    const long s = std::lround(seconds);
     if (s >= 3600)
         std::snprintf(text, sizeof text, "%ld:%02ld:%02ld", s / 3600, s / 60 % 60, s % 60);
     else

@@ -255,8 +255,8 @@ void CouplingStep::return_gas_to_particles(double dt)
     for (std::size_t i = 0; i < particles.size(); ++i)
         if (!homes_[i].known()) leave_without_gas(particles, i);
     for (std::size_t t = 0; t < visits_.order().size(); ++t)
-        take_home(particles, visits_.order()[t], answers_.home[t],
-                  with_added_mass ? added_masses_.home[t].mass : 0.0, dt);
+        take_home(particles, visits_.order()[t], answers_.home[t], with_added_mass ? added_masses_.home[t].mass : 0.0,
+                  dt);
     if (stress_) begin_solid_stress(particles, dt);
 }
 

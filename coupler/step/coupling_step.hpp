@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "base/stopwatch.hpp"
 #include "exchange/home_search.hpp"
 #include "exchange/visits.hpp"
 #include "mapping/mapping.hpp"
 #include "momentum/ledger.hpp"
-#include "base/stopwatch.hpp"
 #include "settings/settings.hpp"
 #include "step/gas.hpp"
 #include "step/interphase_forces.hpp"
@@ -23,8 +23,8 @@ namespace interphase {
 
 /// Interventions so far, on all ranks.
 struct Interventions {
-    long cells_relieved = 0;     ///< cells above the packing limit, cell by cell and step by step
-    long outside_mesh = 0;       ///< particles without a gas cell, particle by particle and step by step
+    long cells_relieved = 0;      ///< cells above the packing limit, cell by cell and step by step
+    long outside_mesh = 0;        ///< particles without a gas cell, particle by particle and step by step
     std::vector<Count> of_terms;  ///< what interphase terms have counted
 
     // of a model with solid stress
@@ -114,7 +114,7 @@ private:
     std::vector<int> ids_at_start_;  ///< of the gas step, to name a particle that gets lost in it
     Scalars positions_at_start_;
     std::vector<CellAddress> homes_;
-    std::vector<Vector> starts_;  ///< velocity with which each particle with a home begins the step [m/s]
+    std::vector<Vector> starts_;      ///< velocity with which each particle with a home begins the step [m/s]
     Visitors travellers_, visitors_;  ///< as sent, as arrived
     Vectors positions_;               ///< of the visitors [m]
     Scalars volumes_;                 ///< of the visitors [m3]

@@ -37,7 +37,8 @@ struct Largest {
 Largest of_all(const Communicator& comm, const Largest& mine)
 {
     Largest largest;
-    for (const Sighting& of_rank : comm.all_gather(Sighting{mine.value, mine.where[0], mine.where[1], mine.where[2], mine.id}))
+    for (const Sighting& of_rank :
+         comm.all_gather(Sighting{mine.value, mine.where[0], mine.where[1], mine.where[2], mine.id}))
         largest.see(of_rank.value, to_vector(of_rank.where), of_rank.id);
     return largest;
 }

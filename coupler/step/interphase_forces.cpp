@@ -39,8 +39,7 @@ void InterphaseForces::judge_contacts(const Visitors& visitors)
     }
     const std::vector<Restraint> of_cells = mapping_.to_cells(visitors.restraint);
     for (std::size_t c = 0; c < hold_.size(); ++c)
-        hold_[c].judge(to_vector(of_cells[c].by_contacts), to_vector(of_cells[c].without_contacts),
-                       of_cells[c].weight);
+        hold_[c].judge(to_vector(of_cells[c].by_contacts), to_vector(of_cells[c].without_contacts), of_cells[c].weight);
 }
 
 void InterphaseForces::look_at_gas(const Visitors& visitors, const Scalars& voidage)
@@ -211,8 +210,7 @@ void InterphaseForces::answer(const Visitors& visitors, std::vector<Answer>& ans
         const Response& response = responses_[i];
         const Vector u = to_vector(solved_[i].velocity), gradient = to_vector(solved_[i].pressure_gradient);
         Vector force = -response.pressed_volume * gradient + response.force;
-        if (response.gas_mass > 0)
-            force += response.gas_mass / step_.duration * (u - to_vector(here_[i].velocity));
+        if (response.gas_mass > 0) force += response.gas_mass / step_.duration * (u - to_vector(here_[i].velocity));
         Vector assumed = Vector::Zero();
         if (settings_.two_way)
             assumed = assumed_impulse(reactions_[i], visitors.visitor[i].volume, to_vector(visitors.owed[i].impulse), u,

@@ -23,8 +23,8 @@ public:
 
     const Needs& needs() const { return needs_; }
 
-    /// Whether a step of `duration` [s] is so long for some particle of any rank that contacts and the pressure gradient
-    /// change what the particles ask of the gas.
+    /// Whether a step of `duration` [s] is so long for some particle of any rank that contacts and the pressure
+    /// gradient change what the particles ask of the gas.
     bool is_long(double duration) const;
 
     struct Step {

@@ -43,8 +43,7 @@ public:
 
 private:
     void look_for_overpacked_cells(const Scalars& solid_volume);
-    void add_closing_speeds(const Scalars& fractions, const Scalars& flow,
-                            std::vector<StressHere>& cells) const;
+    void add_closing_speeds(const Scalars& fractions, const Scalars& flow, std::vector<StressHere>& cells) const;
 
     Communicator comm_;
     Gas& gas_;

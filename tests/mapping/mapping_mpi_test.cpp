@@ -180,8 +180,7 @@ TEST_P(MappingProperty, WeightsSumToOne)
         EXPECT_NEAR(one, 1.0, rounding);
     // and each particle's part from the cells' side, one at a time through a content that only it has
     for (std::size_t i = 0; i < 300; i += 50) {
-        const Scalars content =
-            p.mapping.to_cells(p.of_particles([i](std::size_t n) { return n == i ? 1.0 : 0.0; }));
+        const Scalars content = p.mapping.to_cells(p.of_particles([i](std::size_t n) { return n == i ? 1.0 : 0.0; }));
         EXPECT_NEAR(p.total(content), 1.0, rounding);
         for (const double part : content)
             EXPECT_GE(part, 0.0);

@@ -20,7 +20,8 @@ class BalancesOfSscp1:
         done = self.run_case(folder, ranks, timeout=max(support.LONGEST, self.steps))
         with done.results() as file:
             ledger = {name: column[:] for name, column in file["/ledger"].items()}
-            total = file["/meta"].attrs["particles"]
+            total, weight = (file["/meta"].attrs[name] for name in ("particles", "bed_weight_per_area"))
+            drop = file["/series/pressure_drop"][:].mean()  # [Pa]
         count = len(ledger["time"])
         self.assertEqual(count, self.steps)
         numpy.testing.assert_allclose(ledger["time"], GAS_STEP * numpy.arange(1, count + 1), rtol=1e-9)
@@ -31,8 +32,9 @@ class BalancesOfSscp1:
             self.assertLessEqual(
                 ledger[balance][worst], CLOSED, f"{balance} at t = {ledger['time'][worst]:g} s on {ranks} ranks"
             )
-        # a ledger of zeros would balance, too: gas and particles did exchange something, and the books are not blank
-        self.assertGreater(ledger["momentum_residual"].max() + ledger["volume_residual"].max(), 0)
+        # A ledger of zeros would balance, too. What is asked for is that momentum was exchanged, not that books are off by a
+        # round-off: the gas carried at least half of the bed (the rest falls or lies on the floor), and the bed moved.
+        self.assertGreater(drop, 0.5 * weight)
         moved = done.snapshots()
         start, end = moved[min(moved)]["position"], moved[max(moved)]["position"]
         self.assertGreater(float(numpy.linalg.norm(end - start, axis=1).max()), 1e-3)

@@ -1,6 +1,5 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-# processors: 2
 # timeout: 1200
 """Mistakes of a user end the program with exit code 1 and one message that names what is wrong, its value, where it stands
 and what to do, printed once however many ranks there are, and before the first step.

@@ -1,6 +1,5 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-# processors: 2
 # timeout: 1200
 """Plug-ins, through interphase (entry `plugins` of system/couplingDict) and through interphase-liggghts (option -plugin), on one
 rank and on two: what fits is loaded and does its work; what does not is refused with one message that names the library,

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
-# timeout: 1800
+# timeout: 600
 """Numbers of ranks differ by round-off and its growth only; what they exchange follows the particles that are on another
 rank than their gas cell, not all particles.
 
@@ -20,7 +20,7 @@ sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 import support  # noqa: E402
 
 STEPS = 50
-LONGEST = 900  # [s], for four ranks on two busy cores: they wait for each other some hundred times in a gas step
+LONGEST = 300  # [s], for four ranks on two busy cores: they wait for each other some thousand times in a gas step
 GAS_STEP = 1e-3  # of the case [s]
 HEIGHT = 1.2192  # of the vessel [m]: the size that differences are seen against
 
@@ -37,12 +37,17 @@ class RoundOffGrowth(support.ProgramTest):
     SPREAD = 1e3
 
     def scene(self, name, ranks=1):
-        """Gas solved to round-off: with the case's own tolerances ranks differ by what their solvers leave."""
+        """Gas solved to round-off: with the case's own tolerances ranks differ by what their solvers leave.
+
+        The residual of p_rgh comes to stand at 6e-12, after 40 to 100 cycles; it never gets to this tolerance, and further
+        cycles up to the number that ends them change nothing but the time.
+        """
         folder = self.prepared(
             "sscp1", name, ranks, until=STEPS * GAS_STEP,
             **{"system/fvSolution:solvers/p_rgh/tolerance": 1e-13, "system/fvSolution:solvers/p_rgh/relTol": 0,
                'system/fvSolution:solvers/"(U|UFinal)"/tolerance': 1e-13},
         )  # fmt: skip
+        self.edit(folder, "system/fvSolution", r"^ *smoother +GaussSeidel;$", "smoother GaussSeidel; maxIter 100;")
         self.set_entry(folder, "system/couplingDict", "records/snapshotInterval", 0.01)
         return folder
 

@@ -104,7 +104,8 @@ TEST(Balance, MomentumOfGasAndParticlesChangesByOutsideForcesAlone)
             const Vector outside = time * ((body_force - gradient) * s->gas.volume() + moving_mass(all) * gravity);
             const Vector total =
                 s->gas.momentum() + s->particles.momentum() + s->particles.impulse_on_held() - s->particles.pending();
-            ASSERT_LT((total - start - outside).norm(), balance * (start.norm() + s->step.ledger().momentum.exchanged()))
+            ASSERT_LT((total - start - outside).norm(),
+                      balance * (start.norm() + s->step.ledger().momentum.exchanged()))
                 << "step " << n;
             ASSERT_LT(s->step.ledger().momentum.residual(), balance) << "step " << n;
             ASSERT_LT(s->step.ledger().solid_volume.residual(), balance) << "step " << n;

@@ -25,5 +25,7 @@ void set_project_dir_and_restart(int, char** argv, char** environment)
 
 }  // namespace
 
-extern "C" __attribute__((section(".preinit_array"), used)) void (*interphase_foam_environment)(
-    int, char**, char**) = set_project_dir_and_restart;
+extern "C" {
+__attribute__((section(".preinit_array"),
+               used)) void (*interphase_foam_environment)(int, char**, char**) = set_project_dir_and_restart;
+}

@@ -208,7 +208,7 @@ std::unique_ptr<FoamGas> FoamCase::make_gas(const Settings& settings)
 }
 
 std::string FoamCase::name() const { return parts_->args->globalPath().name(); }
-std::string FoamCase::version() const { return std::to_string(OPENFOAM); }
+std::string FoamCase::version() { return std::to_string(OPENFOAM); }
 
 double FoamCase::time() const { return parts_->time->value(); }
 double FoamCase::end_time() const { return parts_->time->endTime().value(); }

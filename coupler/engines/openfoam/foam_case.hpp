@@ -26,7 +26,7 @@ public:
     std::unique_ptr<FoamGas> make_gas(const Settings& settings);
 
     std::string name() const;  ///< of the case folder
-    std::string version() const;
+    static std::string version();
 
     double time() const;      ///< [s]
     double end_time() const;  ///< [s]

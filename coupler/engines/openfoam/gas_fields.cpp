@@ -128,8 +128,7 @@ Scalars GasFields::viscous_force() const
 {
     // summed over faces, with the schemes that every case has
     const tmp<volTensorField> of_transpose = dev2(T(fvc::grad(U_)));
-    const surfaceVectorField traction(mesh_.magSf() * fvc::snGrad(U_) +
-                                      (mesh_.Sf() & fvc::interpolate(of_transpose)));
+    const surfaceVectorField traction(mesh_.magSf() * fvc::snGrad(U_) + (mesh_.Sf() & fvc::interpolate(of_transpose)));
     Scalars numbers = flat(fvc::surfaceIntegrate(traction)());
     for (double& number : numbers)
         number *= mu_.value();

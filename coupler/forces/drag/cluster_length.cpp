@@ -10,8 +10,7 @@ namespace interphase {
 
 double terminal_velocity(double diameter, double density, double gas_density, double gas_viscosity, double gravity)
 {
-    const double stokes =
-        std::abs(density - gas_density) * gravity * diameter * diameter / (18 * gas_viscosity);
+    const double stokes = std::abs(density - gas_density) * gravity * diameter * diameter / (18 * gas_viscosity);
     // v F(Re(v)) = v_Stokes. v^(1.687) at most: damped by that power the iteration converges from any side.
     constexpr int most_tries = 60;
     constexpr double close_enough = 1e-10, power = 1.687;

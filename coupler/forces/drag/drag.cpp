@@ -25,9 +25,9 @@ DragState Drag::asked_for(const ParticleInGas& at) const
             state.diameter_ratio = at.diameter / at.mean_diameter;
             break;
         case DragLooksAt::cell_size:
-            state.filter_size = std::cbrt(at.cell_extent.prod()) /
-                                cluster_length(at.diameter, at.mass / at.volume, at.density, at.viscosity,
-                                               at.gravity.norm());
+            state.filter_size =
+                std::cbrt(at.cell_extent.prod()) /
+                cluster_length(at.diameter, at.mass / at.volume, at.density, at.viscosity, at.gravity.norm());
             break;
     }
     return state;
@@ -53,8 +53,8 @@ void Drag::act(const ParticleInGas& at, Response& response)
     const double inertia = at.mass + response.added_mass;
     Vector acceleration = at.gravity - response.pressed_volume / at.mass * at.pressure_gradient;
     acceleration += response.force / at.mass;
-    response.rate += rate_over_step(rate_of, slip, inertia, (1 - at.held) * (at.mass / inertia) * acceleration,
-                                    at.duration);
+    response.rate +=
+        rate_over_step(rate_of, slip, inertia, (1 - at.held) * (at.mass / inertia) * acceleration, at.duration);
 }
 
 }  // namespace interphase

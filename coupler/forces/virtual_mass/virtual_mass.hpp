@@ -6,8 +6,8 @@
 namespace interphase {
 
 /// Inertia of the gas that a sphere pushes aside: F = C rho V_p (Du/Dt - dv/dt), C = 1/2, for spheres far from each
-/// other (Auton, Hunt, Prud'homme, J. Fluid Mech. 197 (1988) 241). Both accelerations are implicit in the step: dv/dt is
-/// an added mass, du/dt the change of the gas velocity over the step; u.grad u is of its start.
+/// other (Auton, Hunt, Prud'homme, J. Fluid Mech. 197 (1988) 241). Both accelerations are implicit in the step: dv/dt
+/// is an added mass, du/dt the change of the gas velocity over the step; u.grad u is of its start.
 class VirtualMass : public Term {
 public:
     static constexpr double coefficient = 0.5;

@@ -55,6 +55,9 @@ struct Scene {
     int correctors = 2;
     double pressure_tolerance = 1e-12;
     VectorField velocity = [](const Vector&) { return Vector(0, 0, 0); };  ///< at the start [m/s]
+
+    /// Writes another mesh than the box into the folder polyMesh; the gas is at rest then.
+    std::function<void(const std::string&)> write_mesh;
 };
 
 /// GoogleTest's own main does not know MPI, which the case asks for the number of its ranks.
@@ -63,9 +66,19 @@ public:
     void SetUp() override
     {
         setenv("FOAM_SIGFPE", "false", 0);  // as the program does
+        int there = 0;
+        MPI_Initialized(&there);  // by the main function of tests on several ranks
+        if (there) return;
         MPI_Init(nullptr, nullptr);
+        started_here_ = true;
     }
-    void TearDown() override { MPI_Finalize(); }
+    void TearDown() override
+    {
+        if (started_here_) MPI_Finalize();
+    }
+
+private:
+    bool started_here_ = false;
 };
 
 inline testing::Environment* const mpi_session = testing::AddGlobalTestEnvironment(new MpiSession);
@@ -73,23 +86,42 @@ inline testing::Environment* const mpi_session = testing::AddGlobalTestEnvironme
 /// Gravity is zero: p and p_rgh are the same.
 class GasCase {
 public:
+    /// All of the mesh on this rank.
     explicit GasCase(const Scene& scene) : scene_(scene), start_folder_(std::filesystem::current_path())
     {
-        std::string pattern = (std::filesystem::temp_directory_path() / "gas_case.XXXXXX").string();
-        if (!mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder " + pattern);
-        folder_ = pattern;
+        make_folder();
         write_case();
-        const std::string log = folder_ + "/log.blockMesh";
-        if (std::system(("blockMesh -case " + folder_ + " > " + log + " 2>&1").c_str()) != 0)
-            throw std::runtime_error("blockMesh failed, see " + log);
-        arguments_[2] = folder_;
-        for (std::size_t i = 0; i < arguments_.size(); ++i)
-            argument_pointers_[i] = arguments_[i].data();
-        argument_list_ = argument_pointers_.data();
-        foam_ = std::make_unique<FoamCase>(argument_count_, argument_list_);
-        Settings settings;
-        settings.gas = GasModel::pimple;
-        gas_ = foam_->make_gas(settings);
+        make_mesh();
+        open();
+    }
+
+    /// A part of the mesh on each rank of several: cell by cell the rank that has it, in blockMesh's order. Collective,
+    /// as the members are then.
+    GasCase(const Scene& scene, const std::vector<int>& rank_of_cell)
+        : scene_(scene), start_folder_(std::filesystem::current_path()), shared_(true)
+    {
+        int rank = 0, ranks = 1;
+        MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+        MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+        if (rank == 0) {
+            make_folder();
+            write_case();
+            write("system/decomposeParDict", "dictionary",
+                  "numberOfSubdomains " + std::to_string(ranks) +
+                      "; method manual; manualCoeffs { dataFile \"rankOfCell\"; }");
+            std::string list;
+            for (const int owner : rank_of_cell)
+                list += std::to_string(owner) + " ";
+            write("constant/rankOfCell", "labelList", "(" + list + ")");
+            make_mesh();
+            execute("decomposePar");
+        }
+        int length = static_cast<int>(folder_.size());
+        MPI_Bcast(&length, 1, MPI_INT, 0, MPI_COMM_WORLD);
+        folder_.resize(static_cast<std::size_t>(length));
+        MPI_Bcast(folder_.data(), length, MPI_CHAR, 0, MPI_COMM_WORLD);
+        arguments_.emplace_back("-parallel");
+        open();
     }
 
     ~GasCase()
@@ -97,8 +129,11 @@ public:
         gas_.reset();
         foam_.reset();
         std::filesystem::current_path(start_folder_);
+        int rank = 0;
+        if (shared_) MPI_Barrier(MPI_COMM_WORLD);
+        if (shared_) MPI_Comm_rank(MPI_COMM_WORLD, &rank);
         std::error_code ignored;
-        std::filesystem::remove_all(folder_, ignored);
+        if (rank == 0) std::filesystem::remove_all(folder_, ignored);
     }
 
     GasCase(const GasCase&) = delete;
@@ -158,9 +193,49 @@ public:
     Scalars pressure_gradients() const { return gas_->pressure_gradient(); }
     Scalars gradient(const Scalars& of_cells) const { return gas_->gradient(of_cells); }
     Scalars stretching(const Scalars& flow) const { return gas_->stretching(flow); }
+    Scalars outflows() const { return gas_->outflow(); }
+    Crossing crossing() const { return gas_->crossing(); }
+    const CellLocator& locator() const { return gas_->locator(); }
+    const Scalars& volumes() const { return gas_->mesh().volume; }
     double pressure(std::size_t c) const { return gas_->pressure_at(centre(c)); }
 
 private:
+    void make_folder()
+    {
+        std::string pattern = (std::filesystem::temp_directory_path() / "gas_case.XXXXXX").string();
+        if (!mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder " + pattern);
+        folder_ = pattern;
+    }
+
+    void make_mesh() const
+    {
+        if (scene_.write_mesh)
+            scene_.write_mesh(folder_ + "/constant/polyMesh");
+        else
+            execute("blockMesh");
+    }
+
+    void execute(const std::string& program) const
+    {
+        const std::string log = folder_ + "/log." + program;
+        if (std::system((program + " -case " + folder_ + " > " + log + " 2>&1").c_str()) != 0)
+            throw std::runtime_error(program + " failed, see " + log);
+    }
+
+    void open()
+    {
+        arguments_[2] = folder_;
+        for (std::string& argument : arguments_)
+            argument_pointers_.push_back(argument.data());
+        argument_pointers_.push_back(nullptr);
+        argument_count_ = static_cast<int>(arguments_.size());
+        argument_list_ = argument_pointers_.data();
+        foam_ = std::make_unique<FoamCase>(argument_count_, argument_list_);
+        Settings settings;
+        settings.gas = GasModel::pimple;
+        gas_ = foam_->make_gas(settings);
+    }
+
     void write_case() const
     {
         namespace fs = std::filesystem;
@@ -189,8 +264,8 @@ private:
         write("constant/g", "uniformDimensionedVectorField", "dimensions [0 1 -2 0 0 0 0]; value (0 0 0);");
         write("system/blockMeshDict", "dictionary", mesh_description());
         write("0/U", "volVectorField",
-              "dimensions [0 1 -1 0 0 0 0]; internalField nonuniform List<vector> " + initial_velocity() +
-                  "; boundaryField { " + conditions(&Sides::velocity) + "}");
+              "dimensions [0 1 -1 0 0 0 0]; internalField " + initial_velocity() + "; boundaryField { " +
+                  conditions(&Sides::velocity) + "}");
         write("0/p_rgh", "volScalarField",
               "dimensions [1 -1 -2 0 0 0 0]; internalField uniform 0; boundaryField { " + conditions(&Sides::pressure) +
                   "}");
@@ -219,8 +294,9 @@ private:
     /// blockMesh numbers a block's cells along x first, then y, then z.
     std::string initial_velocity() const
     {
-        std::string list = "(";
+        std::string list = "nonuniform List<vector> (";
         const auto& n = scene_.cells;
+        if (scene_.write_mesh) return "uniform (0 0 0)";
         for (int k = 0; k < n[2]; ++k)
             for (int j = 0; j < n[1]; ++j)
                 for (int i = 0; i < n[0]; ++i) {
@@ -237,6 +313,7 @@ private:
 
     std::string conditions(std::array<std::string, 2> Sides::*which) const
     {
+        if (scene_.write_mesh) return "\".*\" { type zeroGradient; } ";
         std::string text;
         for (int axis = 0; axis < 3; ++axis)
             for (int side = 0; side < 2; ++side) {
@@ -270,9 +347,10 @@ private:
     Scene scene_;
     std::string folder_;
     std::filesystem::path start_folder_;
-    std::array<std::string, 3> arguments_{"gas_case", "-case", ""};
-    std::array<char*, 4> argument_pointers_{};
-    int argument_count_ = 3;
+    bool shared_ = false;  ///< whether the folder is that of all ranks
+    std::vector<std::string> arguments_{"gas_case", "-case", ""};
+    std::vector<char*> argument_pointers_;
+    int argument_count_ = 0;
     char** argument_list_ = nullptr;
     std::unique_ptr<FoamCase> foam_;
     std::unique_ptr<FoamGas> gas_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engines/liggghts/pair_property.hpp"
+#include "engines/liggghts/solids/pair_property.hpp"
 
 #include <mpi.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engines/liggghts/native_run.hpp"
+#include "engines/liggghts/script/native_run.hpp"
 
 #include <csignal>
 #include <memory>
 
 #include "base/communicator.hpp"
-#include "engines/liggghts/plugin_loader.hpp"
+#include "engines/liggghts/plugins/plugin_loader.hpp"
 #include "input.h"
 #include "lammps.h"
 #include "signal_handling.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engines/liggghts/contact_check.hpp"
+#include "engines/liggghts/solids/contact_check.hpp"
 
 #include <mpi.h>
 
@@ -7,7 +7,7 @@
 
 #include "atom.h"
 #include "base/text.hpp"
-#include "engines/liggghts/pair_property.hpp"
+#include "engines/liggghts/solids/pair_property.hpp"
 #include "lammps.h"
 
 namespace interphase {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engines/liggghts/liggghts_solids.hpp"
+#include "engines/liggghts/solids/liggghts_solids.hpp"
 
 #include <algorithm>
 #include <climits>
@@ -10,18 +10,18 @@
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "domain.h"
-#include "engines/liggghts/contact_check.hpp"
-#include "engines/liggghts/contact_duration.hpp"
-#include "engines/liggghts/fix_fluid.hpp"
-#include "engines/liggghts/fix_registration.hpp"
-#include "engines/liggghts/last_words.hpp"
-#include "plugin/plugin.hpp"
-#include "engines/liggghts/weight_property.hpp"
+#include "engines/liggghts/plugins/fix_registration.hpp"
+#include "engines/liggghts/script/last_words.hpp"
+#include "engines/liggghts/solids/contact_check.hpp"
+#include "engines/liggghts/solids/contact_duration.hpp"
+#include "engines/liggghts/solids/fix_fluid.hpp"
+#include "engines/liggghts/solids/weight_property.hpp"
 #include "fix_gravity.h"
 #include "force.h"
 #include "integrate.h"
 #include "lammps.h"
 #include "library.h"
+#include "plugin/plugin.hpp"
 #include "timer.h"
 #include "universe.h"
 #include "update.h"

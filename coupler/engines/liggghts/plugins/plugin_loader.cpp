@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engines/liggghts/plugin_loader.hpp"
+#include "engines/liggghts/plugins/plugin_loader.hpp"
 
 #include <cxxabi.h>
 #include <dlfcn.h>
@@ -12,9 +12,9 @@
 #include <optional>
 
 #include "base/user_error.hpp"
-#include "engines/liggghts/fix_registration.hpp"
-#include "engines/liggghts/plugin_fit.hpp"
-#include "engines/liggghts/plugin_search.hpp"
+#include "engines/liggghts/plugins/fix_registration.hpp"
+#include "engines/liggghts/plugins/plugin_fit.hpp"
+#include "engines/liggghts/plugins/plugin_search.hpp"
 #include "lammps.h"
 
 namespace interphase {

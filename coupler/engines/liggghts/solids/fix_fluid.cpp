@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engines/liggghts/fix_fluid.hpp"
+#include "engines/liggghts/solids/fix_fluid.hpp"
 
 #include <algorithm>
 #include <cstring>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engines/liggghts/contact_duration.hpp"
+#include "engines/liggghts/solids/contact_duration.hpp"
 
 #include <mpi.h>
 
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "atom.h"
-#include "engines/liggghts/pair_property.hpp"
+#include "engines/liggghts/solids/pair_property.hpp"
 #include "force.h"
 #include "lammps.h"
 

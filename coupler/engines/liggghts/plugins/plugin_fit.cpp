@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engines/liggghts/plugin_fit.hpp"
+#include "engines/liggghts/plugins/plugin_fit.hpp"
 
 #include <algorithm>
 

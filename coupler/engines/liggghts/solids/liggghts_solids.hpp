@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/communicator.hpp"
-#include "engines/liggghts/plugin_loader.hpp"
+#include "engines/liggghts/plugins/plugin_loader.hpp"
 #include "settings/settings.hpp"
 #include "step/solids.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engines/liggghts/last_words.hpp"
+#include "engines/liggghts/script/last_words.hpp"
 
 #include <mpi.h>
 
