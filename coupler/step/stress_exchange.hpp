@@ -7,8 +7,8 @@
 
 #include "base/communicator.hpp"
 #include "mapping/mapping.hpp"
-#include "step/gas.hpp"
 #include "plugin/solid_stress.hpp"
+#include "step/gas.hpp"
 
 namespace interphase {
 
