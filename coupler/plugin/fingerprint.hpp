@@ -6,9 +6,9 @@
 
 namespace interphase {
 
-/// A number that changes with the place or the type of any of these members of a class, data or virtual functions (whose
-/// place is that in the table of virtual functions). Same compiler and C++ ABI taken for granted: it mixes the bytes of
-/// the pointers to members and the names that the compiler has for their types (FNV-1a, 64 bits).
+/// A number that changes with the place or the type of any of these members of a class, data or virtual functions
+/// (whose place is that in the table of virtual functions). Same compiler and C++ ABI taken for granted: it mixes the
+/// bytes of the pointers to members and the names that the compiler has for their types (FNV-1a, 64 bits).
 template <class... Members>
 std::int64_t fingerprint_of(Members... members)
 {

@@ -28,9 +28,9 @@
 #include "neigh_list.h"
 #include "neigh_request.h"
 #include "neighbor.h"
-#include "pointers.h"
 #include "plugin/fingerprint.hpp"
 #include "plugin/solid_stress.hpp"
+#include "pointers.h"
 #include "update.h"
 
 namespace interphase {
@@ -118,8 +118,8 @@ constexpr const char* extract_moves_before_forces = "moves_before_forces";
 #define INTERPHASE_LIBRARY_ABI -1
 #endif
 
-/// What this translation unit is built against. INTERPHASE_LIGGGHTS_VERSION comes with CMake's LIGGGHTS::liggghts. Static,
-/// for a plug-in must not be handed the program's.
+/// What this translation unit is built against. INTERPHASE_LIGGGHTS_VERSION comes with CMake's LIGGGHTS::liggghts.
+/// Static, for a plug-in must not be handed the program's.
 static inline auto build_facts()
 {
     const BuildFact facts[] = {

@@ -4,8 +4,8 @@
 #include "base/vector.hpp"
 #include "momentum/fluid_force.hpp"
 #include "momentum/particle_coupling.hpp"
-#include "step/particle_weights.hpp"
 #include "plugin/solid_stress.hpp"
+#include "step/particle_weights.hpp"
 
 namespace interphase {
 

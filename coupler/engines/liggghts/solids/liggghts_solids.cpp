@@ -10,12 +10,21 @@
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "domain.h"
+<<<<<<< HEAD:coupler/engines/liggghts/solids/liggghts_solids.cpp
 #include "engines/liggghts/plugins/fix_registration.hpp"
 #include "engines/liggghts/script/last_words.hpp"
 #include "engines/liggghts/solids/contact_check.hpp"
 #include "engines/liggghts/solids/contact_duration.hpp"
 #include "engines/liggghts/solids/fix_fluid.hpp"
 #include "engines/liggghts/solids/weight_property.hpp"
+=======
+#include "engines/liggghts/contact_check.hpp"
+#include "engines/liggghts/contact_duration.hpp"
+#include "engines/liggghts/fix_fluid.hpp"
+#include "engines/liggghts/fix_registration.hpp"
+#include "engines/liggghts/last_words.hpp"
+#include "engines/liggghts/weight_property.hpp"
+>>>>>>> h-hs:coupler/engines/liggghts/liggghts_solids.cpp
 #include "fix_gravity.h"
 #include "force.h"
 #include "integrate.h"
