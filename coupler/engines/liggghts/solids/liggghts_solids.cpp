@@ -16,7 +16,6 @@
 #include "engines/liggghts/solids/contact_duration.hpp"
 #include "engines/liggghts/solids/fix_fluid.hpp"
 #include "engines/liggghts/solids/weight_property.hpp"
-== == == =
 #include "fix_gravity.h"
 #include "force.h"
 #include "integrate.h"
@@ -27,246 +26,242 @@
 #include "universe.h"
 #include "update.h"
 
-             namespace interphase
+namespace interphase {
+
+namespace {
+
+LAMMPS_NS::Fix* create_fix_fluid(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) { return new FixFluid(lmp, narg, arg); }
+
+}  // namespace
+
+LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& settings) : comm_(comm), settings_(settings)
 {
-    namespace {
+    std::vector<std::string> words{"liggghts", "-screen", LastWords::log_name, "-log", "none", "-echo", "screen"};
+    const auto pass = [&words](const std::string& name, const std::string& value) {
+        words.insert(words.end(), {"-var", name, value});
+    };
+    char weight[32];
+    std::snprintf(weight, sizeof weight, "%.17g", settings.weight);
+    pass("weight", weight);
+    for (const auto& [name, value] : settings.variables)
+        pass(name, value);
+    std::vector<char*> argv;
+    for (std::string& word : words)
+        argv.push_back(word.data());
 
-    LAMMPS_NS::Fix* create_fix_fluid(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
-    {
-        return new FixFluid(lmp, narg, arg);
+    const LastWords of_liggghts(comm_.is_master());
+    void* handle = nullptr;
+    lammps_open(static_cast<int>(argv.size()), argv.data(), comm_.handle(), &handle);
+    lmp_ = static_cast<LAMMPS_NS::LAMMPS*>(handle);
+    if (!lmp_->screen) lmp_->screen = LastWords::of_rank_without_log();
+    plugins_ = load_plugins(comm_, *lmp_, settings.plugins, "system/couplingDict, plugins");
+    lammps_file(lmp_, settings.script.c_str());
+
+    refuse_unusable_scene();
+    weights_ = weight_property(*lmp_, settings.script);
+    if (settings.method != Method::mp_pic && (lmp_->force->pair || !resolves_contacts(settings.method)))
+        contact_duration_ = shortest_contact(*lmp_);
+    step_limit_ = ask_for_step_limit();
+    solid_stress_ = ask_for_solid_stress();
+    moves_come_first_ = any_plugin_says(extract_moves_before_forces);
+    takes_new_forces_ = any_plugin_says(extract_takes_new_forces);
+}
+
+LiggghtsSolids::~LiggghtsSolids() { lammps_close(lmp_); }
+
+void LiggghtsSolids::refuse_unusable_scene() const
+{
+    const std::string& script = settings_.script;
+    if (!lmp_->domain->box_exist)
+        throw UserError("the script defines no simulation box", script, "add create_box or read_data");
+    if (!lmp_->atom->sphere_flag)
+        throw UserError("the particles are not spheres with their own radius and mass", script,
+                        "use `atom_style granular` (or sphere)");
+    if (std::string(lmp_->update->unit_style) != "si")
+        throw UserError(std::string("the script computes in units `") + lmp_->update->unit_style + "`", script,
+                        "add `units si`: the gas is in SI units");
+    if (settings_.gas != GasModel::none && lmp_->modify->find_fix_style_strict("freeze", 0))
+        throw UserError("fix freeze clears forces before the fluid force is added, so the particles would drift",
+                        script, "hold particles by leaving them out of the integrator's group instead");
+    if (const auto problem = unphysical_contact(*lmp_, script)) throw UserError(*problem);
+    refuse_doubtful_collisions();
+    refuse_bodiless_particles();
+}
+
+bool LiggghtsSolids::is_of_plugin(const std::string& style) const
+{
+    return std::any_of(plugins_.begin(), plugins_.end(), [&](const LoadedPlugin& plugin) {
+        return std::find(plugin.styles.begin(), plugin.styles.end(), style) != plugin.styles.end();
+    });
+}
+
+void LiggghtsSolids::refuse_doubtful_collisions() const
+{
+    if (resolves_contacts(settings_.method)) return;
+    const std::string method = name_of(settings_.method);
+    const LAMMPS_NS::Modify& modify = *lmp_->modify;
+    if (std::none_of(modify.fix, modify.fix + modify.nfix,
+                     [&](const LAMMPS_NS::Fix* fix) { return is_of_plugin(fix->style); })) {
+        std::vector<std::string> styles;
+        for (const LoadedPlugin& plugin : plugins_)
+            styles.insert(styles.end(), plugin.styles.begin(), plugin.styles.end());
+        throw UserError("no fix of a plug-in is in the script, so with method " + method + " nothing would collide",
+                        settings_.script, "add a fix of one of these styles: " + listed(styles));
     }
+    const std::string pair = lmp_->force->pair ? lmp_->force->pair_style : "";
+    if (settings_.method != Method::plugin && pair.rfind("gran", 0) == 0)
+        throw UserError("the script has pair style " + pair + ", and method " + method +
+                            " has collisions of its own: each would count twice",
+                        settings_.script, "leave the pair style away for this method, or take DEM or CGPM");
+}
 
-    }  // namespace
-
-    LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& settings)
-        : comm_(comm), settings_(settings)
-    {
-        std::vector<std::string> words{"liggghts", "-screen", LastWords::log_name, "-log", "none", "-echo", "screen"};
-        const auto pass = [&words](const std::string& name, const std::string& value) {
-            words.insert(words.end(), {"-var", name, value});
-        };
-        char weight[32];
-        std::snprintf(weight, sizeof weight, "%.17g", settings.weight);
-        pass("weight", weight);
-        for (const auto& [name, value] : settings.variables)
-            pass(name, value);
-        std::vector<char*> argv;
-        for (std::string& word : words)
-            argv.push_back(word.data());
-
-        const LastWords of_liggghts(comm_.is_master());
-        void* handle = nullptr;
-        lammps_open(static_cast<int>(argv.size()), argv.data(), comm_.handle(), &handle);
-        lmp_ = static_cast<LAMMPS_NS::LAMMPS*>(handle);
-        if (!lmp_->screen) lmp_->screen = LastWords::of_rank_without_log();
-        plugins_ = load_plugins(comm_, *lmp_, settings.plugins, "system/couplingDict, plugins");
-        lammps_file(lmp_, settings.script.c_str());
-
-        refuse_unusable_scene();
-        weights_ = weight_property(*lmp_, settings.script);
-        if (settings.method != Method::mp_pic && (lmp_->force->pair || !resolves_contacts(settings.method)))
-            contact_duration_ = shortest_contact(*lmp_);
-        step_limit_ = ask_for_step_limit();
-        solid_stress_ = ask_for_solid_stress();
-        moves_come_first_ = any_plugin_says(extract_moves_before_forces);
-        takes_new_forces_ = any_plugin_says(extract_takes_new_forces);
+std::optional<double> LiggghtsSolids::ask_for_step_limit() const
+{
+    constexpr double none = std::numeric_limits<double>::max();
+    double limit = none;
+    std::optional<Problem> problem;
+    for (int i = 0; i < lmp_->modify->nfix; ++i) {
+        LAMMPS_NS::Fix* fix = lmp_->modify->fix[i];
+        if (!is_of_plugin(fix->style)) continue;
+        int dimension = 0;
+        const auto* told = static_cast<const double*>(fix->extract(extract_solid_step_limit, dimension));
+        if (!told) continue;
+        if (!(*told > 0))
+            problem = Problem{std::string("fix ") + fix->id + " (" + fix->style +
+                                  ") says that it bears a solid step of at most " + text(*told) + " s",
+                              settings_.script, std::string("correct the plug-in's ") + extract_solid_step_limit};
+        limit = std::min(limit, *told);
     }
+    comm_.fail_together(problem);
+    limit = comm_.min(limit);
+    if (limit == none) return std::nullopt;
+    return limit;
+}
 
-    LiggghtsSolids::~LiggghtsSolids() { lammps_close(lmp_); }
-
-    void LiggghtsSolids::refuse_unusable_scene() const
-    {
-        const std::string& script = settings_.script;
-        if (!lmp_->domain->box_exist)
-            throw UserError("the script defines no simulation box", script, "add create_box or read_data");
-        if (!lmp_->atom->sphere_flag)
-            throw UserError("the particles are not spheres with their own radius and mass", script,
-                            "use `atom_style granular` (or sphere)");
-        if (std::string(lmp_->update->unit_style) != "si")
-            throw UserError(std::string("the script computes in units `") + lmp_->update->unit_style + "`", script,
-                            "add `units si`: the gas is in SI units");
-        if (settings_.gas != GasModel::none && lmp_->modify->find_fix_style_strict("freeze", 0))
-            throw UserError("fix freeze clears forces before the fluid force is added, so the particles would drift",
-                            script, "hold particles by leaving them out of the integrator's group instead");
-        if (const auto problem = unphysical_contact(*lmp_, script)) throw UserError(*problem);
-        refuse_doubtful_collisions();
-        refuse_bodiless_particles();
+SolidStress* LiggghtsSolids::ask_for_solid_stress() const
+{
+    SolidStress* found = nullptr;
+    std::string by;
+    for (int i = 0; i < lmp_->modify->nfix; ++i) {
+        LAMMPS_NS::Fix* fix = lmp_->modify->fix[i];
+        if (!is_of_plugin(fix->style)) continue;
+        int dimension = 0;
+        auto* model = static_cast<SolidStress*>(fix->extract(extract_solid_stress, dimension));
+        if (!model) continue;
+        if (found)
+            throw UserError("two fixes want the solids' stress on the gas mesh: " + by + " and " + fix->id,
+                            settings_.script, "keep one of them; it moves all particles");
+        found = model;
+        by = fix->id;
     }
+    return found;
+}
 
-    bool LiggghtsSolids::is_of_plugin(const std::string& style) const
-    {
-        return std::any_of(plugins_.begin(), plugins_.end(), [&](const LoadedPlugin& plugin) {
-            return std::find(plugin.styles.begin(), plugin.styles.end(), style) != plugin.styles.end();
-        });
+bool LiggghtsSolids::any_plugin_says(const char* what) const
+{
+    for (int i = 0; i < lmp_->modify->nfix; ++i) {
+        LAMMPS_NS::Fix* fix = lmp_->modify->fix[i];
+        if (!is_of_plugin(fix->style)) continue;
+        int dimension = 0;
+        const auto* told = static_cast<const int*>(fix->extract(what, dimension));
+        if (told && *told) return true;
     }
+    return false;
+}
 
-    void LiggghtsSolids::refuse_doubtful_collisions() const
-    {
-        if (resolves_contacts(settings_.method)) return;
-        const std::string method = name_of(settings_.method);
-        const LAMMPS_NS::Modify& modify = *lmp_->modify;
-        if (std::none_of(modify.fix, modify.fix + modify.nfix,
-                         [&](const LAMMPS_NS::Fix* fix) { return is_of_plugin(fix->style); })) {
-            std::vector<std::string> styles;
-            for (const LoadedPlugin& plugin : plugins_)
-                styles.insert(styles.end(), plugin.styles.begin(), plugin.styles.end());
-            throw UserError("no fix of a plug-in is in the script, so with method " + method + " nothing would collide",
-                            settings_.script, "add a fix of one of these styles: " + listed(styles));
-        }
-        const std::string pair = lmp_->force->pair ? lmp_->force->pair_style : "";
-        if (settings_.method != Method::plugin && pair.rfind("gran", 0) == 0)
-            throw UserError("the script has pair style " + pair + ", and method " + method +
-                                " has collisions of its own: each would count twice",
-                            settings_.script, "leave the pair style away for this method, or take DEM or CGPM");
+void LiggghtsSolids::refuse_bodiless_particles() const
+{
+    std::optional<Problem> problem;
+    const LAMMPS_NS::Atom& atom = *lmp_->atom;
+    for (int i = 0; i < atom.nlocal && !problem; ++i)
+        if (!(atom.radius[i] > 0 && atom.rmass[i] > 0))
+            problem = Problem{"particle " + std::to_string(atom.tag[i]) + " has a radius of " + text(atom.radius[i]) +
+                                  " m and a mass of " + text(atom.rmass[i]) + " kg",
+                              settings_.script, "give diameters and densities above 0, in m and kg/m3"};
+    comm_.fail_together(problem);
+}
+
+double LiggghtsSolids::largest_diameter() const
+{
+    double radius = 0;
+    for (int i = 0; i < lmp_->atom->nlocal; ++i)
+        radius = std::max(radius, lmp_->atom->radius[i]);
+    return 2 * comm_.max(radius);
+}
+
+double LiggghtsSolids::smallest_diameter() const
+{
+    double radius = std::numeric_limits<double>::max();
+    for (int i = 0; i < lmp_->atom->nlocal; ++i)
+        radius = std::min(radius, lmp_->atom->radius[i]);
+    return 2 * comm_.min(radius);
+}
+
+void LiggghtsSolids::start(double solid_step, long steps, bool with_gas)
+{
+    const LastWords of_liggghts(comm_.is_master());
+    char command[64];
+    std::snprintf(command, sizeof command, "timestep %.17g", solid_step);
+    lammps_command(lmp_, command);
+
+    if (with_gas) {
+        register_fix_style(*lmp_->modify, FixFluid::style_name, create_fix_fluid);
+        lammps_command(lmp_, (std::string("fix interphase all ") + FixFluid::style_name).c_str());
+        fluid_ = dynamic_cast<FixFluid*>(lmp_->modify->find_fix_id("interphase"));
     }
+    for (const char* style : {"massflow/mesh", "remove", "evaporate"})
+        may_remove_ = may_remove_ || lmp_->modify->find_fix_style(style, 0);
 
-    std::optional<double> LiggghtsSolids::ask_for_step_limit() const
-    {
-        constexpr double none = std::numeric_limits<double>::max();
-        double limit = none;
-        std::optional<Problem> problem;
-        for (int i = 0; i < lmp_->modify->nfix; ++i) {
-            LAMMPS_NS::Fix* fix = lmp_->modify->fix[i];
-            if (!is_of_plugin(fix->style)) continue;
-            int dimension = 0;
-            const auto* told = static_cast<const double*>(fix->extract(extract_solid_step_limit, dimension));
-            if (!told) continue;
-            if (!(*told > 0))
-                problem = Problem{std::string("fix ") + fix->id + " (" + fix->style +
-                                      ") says that it bears a solid step of at most " + text(*told) + " s",
-                                  settings_.script, std::string("correct the plug-in's ") + extract_solid_step_limit};
-            limit = std::min(limit, *told);
-        }
-        comm_.fail_together(problem);
-        limit = comm_.min(limit);
-        if (limit == none) return std::nullopt;
-        return limit;
-    }
+    // what `run` does before its loop, so that the loop can be continued at any length without setting up again
+    LAMMPS_NS::Update& update = *lmp_->update;
+    update.whichflag = 1;
+    update.nsteps = static_cast<int>(std::min<long>(steps, INT_MAX));
+    update.firststep = update.beginstep = update.ntimestep;
+    update.laststep = update.endstep = update.ntimestep + steps;
+    lmp_->init();
+    update.integrate->setup();
+    lmp_->timer->init();
 
-    SolidStress* LiggghtsSolids::ask_for_solid_stress() const
-    {
-        SolidStress* found = nullptr;
-        std::string by;
-        for (int i = 0; i < lmp_->modify->nfix; ++i) {
-            LAMMPS_NS::Fix* fix = lmp_->modify->fix[i];
-            if (!is_of_plugin(fix->style)) continue;
-            int dimension = 0;
-            auto* model = static_cast<SolidStress*>(fix->extract(extract_solid_stress, dimension));
-            if (!model) continue;
-            if (found)
-                throw UserError("two fixes want the solids' stress on the gas mesh: " + by + " and " + fix->id,
-                                settings_.script, "keep one of them; it moves all particles");
-            found = model;
-            by = fix->id;
-        }
-        return found;
-    }
+    if (auto* fix = dynamic_cast<LAMMPS_NS::FixGravity*>(lmp_->modify->find_fix_style("gravity", 0)))
+        fix->get_gravity(gravity_.data());
+}
 
-    bool LiggghtsSolids::any_plugin_says(const char* what) const
-    {
-        for (int i = 0; i < lmp_->modify->nfix; ++i) {
-            LAMMPS_NS::Fix* fix = lmp_->modify->fix[i];
-            if (!is_of_plugin(fix->style)) continue;
-            int dimension = 0;
-            const auto* told = static_cast<const int*>(fix->extract(what, dimension));
-            if (told && *told) return true;
-        }
-        return false;
-    }
+ParticleView LiggghtsSolids::particles()
+{
+    const LAMMPS_NS::Atom& atom = *lmp_->atom;
+    const Eigen::Index n = atom.nlocal;
+    const auto vectors = [n](double** array) { return VectorsView(n > 0 ? array[0] : nullptr, 3, n); };
+    return {vectors(atom.x),
+            vectors(atom.v),
+            vectors(atom.omega),
+            vectors(atom.f),
+            ScalarsView(atom.radius, n),
+            ScalarsView(atom.rmass, n),
+            weights_ ? ParticleWeights::of_each(weights_->vector_atom) : ParticleWeights::same(settings_.weight),
+            atom.tag,
+            fluid_ ? fluid_->forces() : nullptr,
+            fluid_ ? fluid_->booked() : nullptr,
+            fluid_ ? fluid_->coupling() : nullptr};
+}
 
-    void LiggghtsSolids::refuse_bodiless_particles() const
-    {
-        std::optional<Problem> problem;
-        const LAMMPS_NS::Atom& atom = *lmp_->atom;
-        for (int i = 0; i < atom.nlocal && !problem; ++i)
-            if (!(atom.radius[i] > 0 && atom.rmass[i] > 0))
-                problem = Problem{"particle " + std::to_string(atom.tag[i]) + " has a radius of " +
-                                      text(atom.radius[i]) + " m and a mass of " + text(atom.rmass[i]) + " kg",
-                                  settings_.script, "give diameters and densities above 0, in m and kg/m3"};
-        comm_.fail_together(problem);
-    }
+void LiggghtsSolids::kick_again(std::size_t i, const Vector& velocity, const Vector& force)
+{
+    std::copy_n(velocity.data(), 3, lmp_->atom->v[i]);
+    std::copy_n(force.data(), 3, lmp_->atom->f[i]);
+}
 
-    double LiggghtsSolids::largest_diameter() const
-    {
-        double radius = 0;
-        for (int i = 0; i < lmp_->atom->nlocal; ++i)
-            radius = std::max(radius, lmp_->atom->radius[i]);
-        return 2 * comm_.max(radius);
-    }
+void LiggghtsSolids::advance(int substeps)
+{
+    const LastWords of_liggghts(comm_.is_master());
+    lmp_->update->integrate->run(substeps);
+}
 
-    double LiggghtsSolids::smallest_diameter() const
-    {
-        double radius = std::numeric_limits<double>::max();
-        for (int i = 0; i < lmp_->atom->nlocal; ++i)
-            radius = std::min(radius, lmp_->atom->radius[i]);
-        return 2 * comm_.min(radius);
-    }
-
-    void LiggghtsSolids::start(double solid_step, long steps, bool with_gas)
-    {
-        const LastWords of_liggghts(comm_.is_master());
-        char command[64];
-        std::snprintf(command, sizeof command, "timestep %.17g", solid_step);
-        lammps_command(lmp_, command);
-
-        if (with_gas) {
-            register_fix_style(*lmp_->modify, FixFluid::style_name, create_fix_fluid);
-            lammps_command(lmp_, (std::string("fix interphase all ") + FixFluid::style_name).c_str());
-            fluid_ = dynamic_cast<FixFluid*>(lmp_->modify->find_fix_id("interphase"));
-        }
-        for (const char* style : {"massflow/mesh", "remove", "evaporate"})
-            may_remove_ = may_remove_ || lmp_->modify->find_fix_style(style, 0);
-
-        // what `run` does before its loop, so that the loop can be continued at any length without setting up again
-        LAMMPS_NS::Update& update = *lmp_->update;
-        update.whichflag = 1;
-        update.nsteps = static_cast<int>(std::min<long>(steps, INT_MAX));
-        update.firststep = update.beginstep = update.ntimestep;
-        update.laststep = update.endstep = update.ntimestep + steps;
-        lmp_->init();
-        update.integrate->setup();
-        lmp_->timer->init();
-
-        if (auto* fix = dynamic_cast<LAMMPS_NS::FixGravity*>(lmp_->modify->find_fix_style("gravity", 0)))
-            fix->get_gravity(gravity_.data());
-    }
-
-    ParticleView LiggghtsSolids::particles()
-    {
-        const LAMMPS_NS::Atom& atom = *lmp_->atom;
-        const Eigen::Index n = atom.nlocal;
-        const auto vectors = [n](double** array) { return VectorsView(n > 0 ? array[0] : nullptr, 3, n); };
-        return {vectors(atom.x),
-                vectors(atom.v),
-                vectors(atom.omega),
-                vectors(atom.f),
-                ScalarsView(atom.radius, n),
-                ScalarsView(atom.rmass, n),
-                weights_ ? ParticleWeights::of_each(weights_->vector_atom) : ParticleWeights::same(settings_.weight),
-                atom.tag,
-                fluid_ ? fluid_->forces() : nullptr,
-                fluid_ ? fluid_->booked() : nullptr,
-                fluid_ ? fluid_->coupling() : nullptr};
-    }
-
-    void LiggghtsSolids::kick_again(std::size_t i, const Vector& velocity, const Vector& force)
-    {
-        std::copy_n(velocity.data(), 3, lmp_->atom->v[i]);
-        std::copy_n(force.data(), 3, lmp_->atom->f[i]);
-    }
-
-    void LiggghtsSolids::advance(int substeps)
-    {
-        const LastWords of_liggghts(comm_.is_master());
-        lmp_->update->integrate->run(substeps);
-    }
-
-    std::string LiggghtsSolids::version() const
-    {
-        // "Version LIGGGHTS-PUBLIC 3.8.0, compiled ..."
-        const std::string whole = lmp_->universe->version;
-        const std::size_t start = whole.find("LIGGGHTS");
-        return start == std::string::npos ? whole : whole.substr(start, whole.find(',') - start);
-    }
+std::string LiggghtsSolids::version() const
+{
+    // "Version LIGGGHTS-PUBLIC 3.8.0, compiled ..."
+    const std::string whole = lmp_->universe->version;
+    const std::size_t start = whole.find("LIGGGHTS");
+    return start == std::string::npos ? whole : whole.substr(start, whole.find(',') - start);
+}
 
 }  // namespace interphase
