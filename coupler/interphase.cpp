@@ -4,11 +4,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "base/stop_together.hpp"
 #include "base/version.hpp"
+#include "engines/liggghts/solids/liggghts_solids.hpp"
 #include "engines/openfoam/foam_case.hpp"
 #include "run/coupled_run.hpp"
 #include "settings/key_page.hpp"
@@ -28,13 +30,24 @@ void show_keys()
     if (rank == 0) std::fputs(interphase::key_page(interphase::setting_keys()).c_str(), stdout);
 }
 
+/// The one place that knows both engines.
+void couple(int argc, char** argv)
+{
+    using namespace interphase;
+    FoamCase gas_case(argc, argv);
+    CoupledRun run(gas_case, [](const Communicator& comm, const Settings& settings) {
+        return std::make_unique<LiggghtsSolids>(comm, settings);
+    });
+    run.run();
+}
+
 std::optional<std::string> run(int argc, char** argv)
 {
     try {
         if (asks_for_keys(argc, argv))
             show_keys();
         else
-            interphase::CoupledRun(argc, argv).run();
+            couple(argc, argv);
         return std::nullopt;
     } catch (const std::exception& error) {
         return error.what();

@@ -32,17 +32,14 @@ double withheld_share(double x) { return shares(x).withheld; }
 
 Shares answered(double mass, double added_mass, double drag_rate, double dt)
 {
-    const double inertia = mass + added_mass, own = mass / inertia;
-    const auto [relaxed, withheld] = shares(drag_rate * dt / inertia);
-    return {own * relaxed, own * withheld + added_mass / inertia};
+    const double inertia = mass + added_mass;
+    return answered(mass, added_mass, shares(drag_rate * dt / inertia));
 }
 
 AssumedDrag assume_drag(double mass, double drag_rate, double held, const Vector& acceleration, double dt,
                         double added_mass)
 {
-    const auto [relaxed, withheld] = answered(mass, added_mass, drag_rate, dt);
-    const double following = (1.0 - held) * withheld;
-    return {drag_rate * (relaxed + held * withheld), following * mass * dt * acceleration, following};
+    return assume_drag(mass, drag_rate, held, acceleration, dt, answered(mass, added_mass, drag_rate, dt));
 }
 
 double response_time(double mass, double drag_rate, double dt, double added_mass)

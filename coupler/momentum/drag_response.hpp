@@ -36,6 +36,14 @@ double withheld_share(double x);
 /// The same with an added mass [kg], of what changes m v: the gas gets the rest of every force.
 Shares answered(double mass, double added_mass, double drag_rate, double dt);
 
+/// The same, of the shares by which the motion answers: shares(k dt/(m + m')).
+inline Shares answered(double mass, double added_mass, const Shares& of_motion)
+{
+    if (added_mass == 0) return of_motion;
+    const double inertia = mass + added_mass, own = mass / inertia;
+    return {own * of_motion.relaxed, own * of_motion.withheld + added_mass / inertia};
+}
+
 /// What the gas solve assumes of a particle's drag impulse over a step: J = kappa dt (u - v) - carried.
 struct AssumedDrag {
     double kappa;      ///< [kg/s]
@@ -52,6 +60,14 @@ struct AssumedDrag {
 /// forces, as far as they are known before the gas solve.
 AssumedDrag assume_drag(double mass, double drag_rate, double held, const Vector& acceleration, double dt,
                         double added_mass = 0);
+
+/// The same, of answered().
+inline AssumedDrag assume_drag(double mass, double drag_rate, double held, const Vector& acceleration, double dt,
+                               const Shares& answered)
+{
+    const double following = (1.0 - held) * answered.withheld;
+    return {drag_rate * (answered.relaxed + held * answered.withheld), following * mass * dt * acceleration, following};
+}
 
 /// By which a constant acceleration changes the velocity of a particle with drag in a step of dt [s].
 double response_time(double mass, double drag_rate, double dt, double added_mass = 0);

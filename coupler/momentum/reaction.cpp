@@ -10,8 +10,10 @@ namespace interphase {
 Reaction reaction_of(const ParticleInGas& at, const Response& response, double doubt, const Vector& owed, Motion motion)
 {
     const double k = response.rate, m = at.mass, dt = at.duration, added = response.added_mass;
-    const AssumedDrag drag = assume_drag(m, k, at.held, at.gravity, dt, added);
-    const double stiff = stiffening(k, m, doubt, dt, added);
+    const double x = k * dt / (m + added);
+    const Shares of_motion = shares(x);
+    const AssumedDrag drag = assume_drag(m, k, at.held, at.gravity, dt, answered(m, added, of_motion));
+    const double stiff = doubt > 0 ? stiffening(k, m, doubt, dt, added) : 0.0;
     const double taken = 1 - drag.following;  // of every force of the gas, by the particle
     const double per_acceleration = taken * response.gas_mass / dt;
 
@@ -22,9 +24,8 @@ Reaction reaction_of(const ParticleInGas& at, const Response& response, double d
                              per_acceleration * at.gas_velocity - taken * response.force);
     reaction.following = drag.following * response.pressed_volume + (at.volume - response.pressed_volume);
 
-    const double x = k * dt / (m + added);
     const double share =
-        motion == Motion::by_new_forces ? -(1 - at.held) * std::expm1(-x) : (1.0 - at.held) * withheld_share(x);
+        motion == Motion::by_new_forces ? -(1 - at.held) * std::expm1(-x) : (1.0 - at.held) * of_motion.withheld;
     const double moving = share * at.volume, per_rate = k > 0 ? 1.0 / k : 0.0;
     const double by_acceleration = moving * per_rate * response.gas_mass / dt;
     reaction.moving = moving + by_acceleration;

@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "records/provenance.hpp"
+#include "run/gas_step_choice.hpp"
 #include "settings/read_settings.hpp"
 
 namespace interphase {
@@ -25,15 +26,6 @@ const char* gas_description(const Settings& settings)
             return "none";
     }
     return "";
-}
-
-/// "hard_sphere (/path/libhard_sphere.so: tdhs, wall/tdhs)", or "none".
-std::string described(const std::vector<LoadedPlugin>& plugins)
-{
-    std::string all;
-    for (const LoadedPlugin& plugin : plugins)
-        all += (all.empty() ? "" : ", ") + plugin.name + " (" + plugin.file + ": " + listed(plugin.styles) + ")";
-    return all.empty() ? "none" : all;
 }
 
 ParticleRows rows_of(const ParticleView& particles)
@@ -58,13 +50,13 @@ ParticleRows rows_of(const ParticleView& particles)
 
 }  // namespace
 
-CoupledRun::CoupledRun(int& argc, char**& argv)
-    : case_(argc, argv),
+CoupledRun::CoupledRun(GasCase& gas_case, const MakeParticleEngine& make_particles)
+    : case_(gas_case),
       settings_(read_settings(case_.coupling_dict(), case_.scene_parameters(), std::filesystem::current_path())),
       report_(comm_.is_master(), case_.time(), case_.end_time())
 {
     if (settings_.gas != GasModel::none) gas_ = case_.make_gas(settings_);
-    solids_ = std::make_unique<LiggghtsSolids>(comm_, settings_);
+    solids_ = make_particles(comm_, settings_);
     at_start_ = counted(comm_, solids_->particles());
     refuse_empty_scene();
     check_weights();
@@ -91,11 +83,11 @@ CoupledRun::CoupledRun(int& argc, char**& argv)
 void CoupledRun::describe_run()
 {
     const std::optional<double> contact = solids_->contact_duration();
-    report_.head({{"interphase", solids_->version() + ", OpenFOAM " + FoamCase::version()},
+    report_.head({{"interphase", solids_->version() + ", " + case_.engine()},
                   {"case", case_.name()},
                   {"method", name_of(settings_.method)},
                   {"particles", numbers_of(at_start_)},
-                  {"plug-ins", described(solids_->plugins())},
+                  {"plug-ins", solids_->plugins()},
                   {"gas", std::string(gas_description(settings_)) + (gas_ ? ", drag " + settings_.drag_law : "")},
                   {"steps", "gas " + text(gas_step_) + " s" + (case_.adjusts_gas_step() ? " at first" : "") +
                                 ", solids " + text(clock_.solid_step()) + " s" +
@@ -105,7 +97,7 @@ void CoupledRun::describe_run()
     Results& meta = *results_;
     meta.describe("/meta", "case", case_.name());
     meta.describe("/meta", "method", name_of(settings_.method));
-    meta.describe("/meta", "plugins", described(solids_->plugins()));
+    meta.describe("/meta", "plugins", solids_->plugins());
     meta.describe("/meta", "weight", at_start_.mean_weight());
     meta.describe("/meta", "lowest_weight", at_start_.lowest_weight);
     meta.describe("/meta", "highest_weight", at_start_.highest_weight);
@@ -116,8 +108,7 @@ void CoupledRun::describe_run()
     meta.describe("/meta", "gas_step", gas_step_);
     meta.describe("/meta", "drag_law", settings_.drag_law);
     const Version version = this_version();
-    meta.describe("/meta", "versions",
-                  name_and_number(version) + ", " + solids_->version() + ", OpenFOAM " + FoamCase::version());
+    meta.describe("/meta", "versions", name_and_number(version) + ", " + solids_->version() + ", " + case_.engine());
     if (comm_.is_master()) record_provenance(meta, version, case_inputs(".", settings_.script, settings_.variables));
     if (!gas_) return;
     meta.describe_box("/meta", "domain", gas_->bounds());
@@ -132,7 +123,8 @@ void CoupledRun::describe_run()
 
 void CoupledRun::run()
 {
-    next_record_ = next_snapshot_ = case_.time();
+    rows_.emplace(case_.time(), settings_.record_interval);
+    if (settings_.snapshot_interval > 0) own_snapshots_.emplace(case_.time(), settings_.snapshot_interval);
     try {
         record(true);
         while (case_.running())
@@ -148,12 +140,8 @@ void CoupledRun::run()
 double CoupledRun::wanted_gas_step() const
 {
     if (!case_.adjusts_gas_step() || !gas_) return case_.gas_step();
-    const double most = std::min(case_.largest_gas_step(), coupling_->longest_step());
-    const double courant = gas_->courant_number();
-    if (courant <= 0) return std::min(gas_step_, most);
-    // grow gently, though by a whole solid step, or it never would; shrink at once
-    const double grown = std::max(1.2 * gas_step_, gas_step_ + clock_.solid_step());
-    return std::min({gas_step_ * case_.largest_courant_number() / courant, grown, most});
+    return adjusted_gas_step({gas_step_, clock_.solid_step(), gas_->courant_number(), case_.largest_courant_number(),
+                              std::min(case_.largest_gas_step(), coupling_->longest_step())});
 }
 
 void CoupledRun::step()
@@ -165,9 +153,9 @@ void CoupledRun::step()
     case_.advance_time(planned.duration);
     if (coupling_) {
         try {
-            with_foam_errors([&] { coupling_->advance(planned.duration, planned.substeps); });
+            case_.with_own_errors([&] { coupling_->advance(planned.duration, planned.substeps); });
         } catch (const UserError& error) {
-            // OpenFOAM chokes on numbers that are not finite before the step gets to its own check
+            // the gas engine chokes on numbers that are not finite before the step gets to its own check
             Problem problem = gas_->trouble().value_or(error.problem());
             problem.step = "in the gas step from t = " + text(start) + " s to " + text(case_.time()) + " s";
             throw UserError(problem);
@@ -206,25 +194,21 @@ void CoupledRun::record(bool at_start)
 {
     stopwatch_.switch_to(Phase::output);
     const double now = case_.time();
-    const double slack = 0.5 * gas_step_;
-    const bool row_due = now > next_record_ - slack;
+    const bool row_due = rows_->due(now, gas_step_);
     const bool line_due = comm_.any(report_.progress_due());
-    const bool at_end = now > case_.end_time() - slack;
+    const bool at_end = now > case_.end_time() - 0.5 * gas_step_;
     if (row_due || line_due || at_end) {
         last_seen_ =
             observe(comm_, *solids_, gas_.get(), coupling_ ? coupling_->voidage() : Scalars{}, settings_.pressure_taps);
         if (row_due && !at_start) results_->add_row("/series", last_seen_.row(now));
         if (line_due || at_end) report_.progress(now, last_seen_);
     }
-    while (next_record_ < now + slack)
-        next_record_ += settings_.record_interval;
+    rows_->pass(now, gas_step_);
 
     const bool write_due = case_.write_due() || at_end;
-    const bool snapshot_due = settings_.snapshot_interval > 0 ? now > next_snapshot_ - slack : write_due;
+    const bool snapshot_due = own_snapshots_ ? own_snapshots_->due(now, gas_step_) : write_due;
     if (snapshot_due || at_start || at_end) snapshots_->write(now, rows_of(solids_->particles()));
-    if (settings_.snapshot_interval > 0)
-        while (next_snapshot_ < now + slack)
-            next_snapshot_ += settings_.snapshot_interval;
+    if (own_snapshots_) own_snapshots_->pass(now, gas_step_);
     if (write_due && !at_start) {
         if (gas_) case_.write();
         results_->flush();

@@ -4,22 +4,23 @@
 #include <memory>
 #include <optional>
 
-#include "engines/liggghts/solids/liggghts_solids.hpp"
-#include "engines/openfoam/foam_case.hpp"
 #include "records/particle_snapshots.hpp"
 #include "records/results.hpp"
+#include "run/gas_case.hpp"
 #include "run/lockstep_clock.hpp"
+#include "run/particle_engine.hpp"
 #include "run/population.hpp"
+#include "run/record_schedule.hpp"
 #include "run/report.hpp"
 #include "step/coupling_step.hpp"
 
 namespace interphase {
 
-/// A case from its start to its end: reads and checks it, steps, records.
+/// A case from its start to its end: checks it, steps, records. Which engines there are is the caller's choice.
 class CoupledRun {
 public:
     /// Throws a UserError for a case that cannot run. Collective, as are all members.
-    CoupledRun(int& argc, char**& argv);
+    CoupledRun(GasCase& gas_case, const MakeParticleEngine& make_particles);
 
     /// Throws a UserError if the run has to stop early; what was recorded so far is kept.
     void run();
@@ -39,17 +40,17 @@ private:
 
     Communicator comm_;
     Stopwatch stopwatch_{Phase::setup};
-    FoamCase case_;
+    GasCase& case_;
     Settings settings_;
-    std::unique_ptr<FoamGas> gas_;
-    std::unique_ptr<LiggghtsSolids> solids_;
+    std::unique_ptr<CaseGas> gas_;
+    std::unique_ptr<ParticleEngine> solids_;
     LockstepClock clock_{1};
     std::unique_ptr<CouplingStep> coupling_;
     std::unique_ptr<Results> results_;
     std::unique_ptr<ParticleSnapshots> snapshots_;
     Report report_;
     Observation last_seen_;
-    double next_record_ = 0, next_snapshot_ = 0;
+    std::optional<RecordSchedule> rows_, own_snapshots_;  ///< the latter where snapshots do not follow the fields
     double gas_step_ = 0;
     Population at_start_;
 };

@@ -18,7 +18,7 @@ std::vector<Results::Entry> Observation::row(double time) const
             {"courant_number", "1", courant_number}};
 }
 
-Observation observe(const Communicator& comm, Solids& solids, const FoamGas* gas, const Scalars& voidage,
+Observation observe(const Communicator& comm, Solids& solids, const CaseGas* gas, const Scalars& voidage,
                     const std::vector<Vector>& pressure_taps)
 {
     const ParticleView particles = solids.particles();

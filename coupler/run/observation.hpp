@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "engines/openfoam/foam_gas.hpp"
 #include "records/results.hpp"
+#include "run/case_gas.hpp"
 #include "step/solids.hpp"
 
 namespace interphase {
@@ -24,7 +24,7 @@ struct Observation {
 };
 
 /// `gas` may be null. Collective.
-Observation observe(const Communicator& comm, Solids& solids, const FoamGas* gas, const Scalars& voidage,
+Observation observe(const Communicator& comm, Solids& solids, const CaseGas* gas, const Scalars& voidage,
                     const std::vector<Vector>& pressure_taps);
 
 }  // namespace interphase

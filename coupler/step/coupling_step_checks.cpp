@@ -24,12 +24,12 @@ void CouplingStep::refuse_particles_outside(const ParticleView& particles) const
         for (std::size_t i = 0; i < homes_.size() && !problem; ++i) {
             if (homes_[i].known()) continue;
             const Vector x = particles.position.col(static_cast<Eigen::Index>(i));
-            problem = Problem{
-                "particle " + std::to_string(particles.id[i]) + " (rank " + std::to_string(comm_.rank()) +
-                    ") is in no gas cell",
-                "at " + text(x),
-                "keep the particles inside the mesh (walls in the LIGGGHTS script, initial positions, solid step), "
-                "or set `outsideMesh ignore;` in system/couplingDict to let such particles move without gas"};
+            problem =
+                Problem{"particle " + std::to_string(particles.id[i]) + " (rank " + std::to_string(comm_.rank()) +
+                            ") is in no gas cell",
+                        "at " + text(x),
+                        "keep the particles inside the mesh (walls in the script, initial positions, solid step), "
+                        "or set `outsideMesh ignore;` in system/couplingDict to let such particles move without gas"};
         }
     comm_.fail_together(problem);
 }
@@ -38,7 +38,7 @@ void CouplingStep::refuse_loss(const ParticleView& particles, long lost) const
 {
     const std::string how_many =
         std::to_string(lost) + " of " + std::to_string(particle_count_) +
-        " particles were lost in this gas step: LIGGGHTS found them outside its domain and dropped them";
+        " particles were lost in this gas step: they were outside the particles' domain and were dropped";
     const std::string remedy =
         "check walls and boundaries in the script, and the solid step; a scene that removes particles "
         "on purpose says so with a fix massflow/mesh ... delete_atoms";

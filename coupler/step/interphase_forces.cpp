@@ -109,9 +109,8 @@ void InterphaseForces::look_at_sizes(const Visitors& visitors)
     mapping_.to_particles(std::move(diameters), mean_diameters_);
 }
 
-ParticleInGas InterphaseForces::at(const Visitors& visitors, std::size_t i) const
+void InterphaseForces::look_at(const Visitors& visitors, std::size_t i, ParticleInGas& at) const
 {
-    ParticleInGas at;
     const Visitor& visitor = visitors.visitor[i];
     at.velocity = to_vector(visitor.velocity);
     at.diameter = visitor.diameter;
@@ -133,10 +132,6 @@ ParticleInGas InterphaseForces::at(const Visitors& visitors, std::size_t i) cons
         at.velocity_gradient =
             Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(gradients_[i].of_velocity);
     if (needs_.viscous_force) at.viscous_force = to_vector(viscous_forces_[i].force);
-
-    at.gravity = gravity_;
-    at.duration = step_.duration;
-    return at;
 }
 
 void InterphaseForces::ask(const Visitors& visitors, const Scalars& voidage, const Step& step, Demand& demand)
@@ -149,8 +144,11 @@ void InterphaseForces::ask(const Visitors& visitors, const Scalars& voidage, con
     fastest_relaxation_ = settings_.two_way ? 0.0 : DBL_MAX;  // one-way, ranks do not tell each other
     responses_.assign(visitors.size(), Response{});
     reactions_.resize(settings_.two_way ? visitors.size() : 0);
+    ParticleInGas particle;
+    particle.gravity = gravity_;
+    particle.duration = step_.duration;
     for (std::size_t i = 0; i < visitors.size(); ++i) {
-        ParticleInGas particle = at(visitors, i);
+        look_at(visitors, i, particle);
         Response& response = responses_[i];
         for (const auto& term : terms_)
             term->act(particle, response);

@@ -79,7 +79,8 @@ private:
     void judge_contacts(const Visitors& visitors);
     void look_at_gas(const Visitors& visitors, const Scalars& voidage);
     void look_at_sizes(const Visitors& visitors);
-    ParticleInGas at(const Visitors& visitors, std::size_t i) const;
+    /// All of it but gravity and duration, which hold for the step.
+    void look_at(const Visitors& visitors, std::size_t i, ParticleInGas& at) const;
     void note_wave(const ParticleInGas& at, const Response& response);
     void sum_over_cells(Demand& demand) const;
 

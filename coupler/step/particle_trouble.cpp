@@ -42,7 +42,7 @@ std::optional<Problem> weight_trouble(const ParticleView& particles, int rank)
         return Problem{"the weight of " + named(particles, i, rank) + " is " + text(weight) +
                            ", which is no number of real particles: at least 1 is in a tracked one",
                        place(particles, i),
-                       "in the LIGGGHTS script correct `set ... property/atom weight W`, the default of fix "
+                       "in the script correct `set ... property/atom weight W`, the default of fix "
                        "property/atom weight, or `set_property weight W` of what inserts it"};
     }
     return std::nullopt;

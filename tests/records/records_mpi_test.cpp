@@ -12,67 +12,15 @@
 #include "base/user_error.hpp"
 #include "records/particle_snapshots.hpp"
 #include "records/results.hpp"
+#include "support/open_file.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/world.hpp"
 
 namespace {
 
 using namespace interphase;
+using test::OpenFile;
 using test::world;
-
-class OpenFile {
-public:
-    explicit OpenFile(const std::string& path)
-        : file_(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path)
-    {}
-
-    bool has(const std::string& path) const { return H5Lexists(file_, path.c_str(), H5P_DEFAULT) > 0; }
-
-    std::vector<hsize_t> shape(const std::string& path) const
-    {
-        const Hdf5Handle set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, path);
-        const Hdf5Handle space(H5Dget_space(set), H5Sclose, path);
-        std::vector<hsize_t> extents(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
-        H5Sget_simple_extent_dims(space, extents.data(), nullptr);
-        return extents;
-    }
-
-    template <class Number>
-    std::vector<Number> numbers(const std::string& path, hid_t type) const
-    {
-        const auto extents = shape(path);
-        std::vector<Number> values(
-            std::accumulate(extents.begin(), extents.end(), std::size_t{1}, std::multiplies<std::size_t>()));
-        const Hdf5Handle set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, path);
-        EXPECT_GE(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0) << path;
-        return values;
-    }
-    Scalars doubles(const std::string& path) const { return numbers<double>(path, H5T_NATIVE_DOUBLE); }
-    std::vector<int> integers(const std::string& path) const { return numbers<int>(path, H5T_NATIVE_INT); }
-
-    std::string word(const std::string& object, const std::string& name) const
-    {
-        const Hdf5Handle attribute(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
-                                   H5Aclose, name);
-        const Hdf5Handle type(H5Aget_type(attribute), H5Tclose, name);
-        std::string value(H5Tget_size(type), '\0');
-        EXPECT_GE(H5Aread(attribute, type, value.data()), 0) << name;
-        return value;
-    }
-
-    Scalars attribute(const std::string& object, const std::string& name) const
-    {
-        const Hdf5Handle attribute(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
-                                   H5Aclose, name);
-        const Hdf5Handle space(H5Aget_space(attribute), H5Sclose, name);
-        Scalars values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
-        EXPECT_GE(H5Aread(attribute, H5T_NATIVE_DOUBLE, values.data()), 0) << name;
-        return values;
-    }
-
-private:
-    Hdf5Handle file_;
-};
 
 TEST(Results, AreReadBackAsTheyWereAdded)
 {

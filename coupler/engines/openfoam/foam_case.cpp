@@ -121,19 +121,7 @@ private:
     const FoamDictionary adapted_;
 };
 
-}  // namespace
-
-struct FoamCase::Parts {
-    // An argList takes the whole process with it when it goes, and with exit code 0, whatever went wrong: left alive.
-    ~Parts() { static_cast<void>(args.release()); }
-
-    std::unique_ptr<Foam::argList> args;
-    std::optional<OutputToLog> output;
-    std::unique_ptr<Foam::Time> time;
-    std::unique_ptr<DictionaryFile> coupling, scene;
-    std::unique_ptr<Foam::fvMesh> mesh;
-};
-
+/// Runs `body`; what OpenFOAM throws in it becomes a UserError with OpenFOAM's own words.
 void with_foam_errors(const std::function<void()>& body)
 {
     try {
@@ -147,6 +135,19 @@ void with_foam_errors(const std::function<void()>& body)
                         "see the message; OpenFOAM's own output is in log.openfoam");
     }
 }
+
+}  // namespace
+
+struct FoamCase::Parts {
+    // An argList takes the whole process with it when it goes, and with exit code 0, whatever went wrong: left alive.
+    ~Parts() { static_cast<void>(args.release()); }
+
+    std::unique_ptr<Foam::argList> args;
+    std::optional<OutputToLog> output;
+    std::unique_ptr<Foam::Time> time;
+    std::unique_ptr<DictionaryFile> coupling, scene;
+    std::unique_ptr<Foam::fvMesh> mesh;
+};
 
 FoamCase::FoamCase(int& argc, char**& argv) : parts_(std::make_unique<Parts>())
 {
@@ -192,9 +193,9 @@ FoamCase::~FoamCase() { parts_->output->flush(); }
 const Dictionary& FoamCase::coupling_dict() const { return parts_->coupling->adapted(); }
 const Dictionary& FoamCase::scene_parameters() const { return parts_->scene->adapted(); }
 
-std::unique_ptr<FoamGas> FoamCase::make_gas(const Settings& settings)
+std::unique_ptr<CaseGas> FoamCase::make_gas(const Settings& settings)
 {
-    std::unique_ptr<FoamGas> gas;
+    std::unique_ptr<CaseGas> gas;
     with_foam_errors([&] {
         refuse_what_is_not_solved(*parts_->time);
         parts_->mesh = std::make_unique<Foam::fvMesh>(Foam::IOobject(
@@ -249,5 +250,7 @@ void FoamCase::write()
     with_foam_errors([&] { parts_->time->writeNow(); });
     parts_->output->flush();
 }
+
+void FoamCase::with_own_errors(const std::function<void()>& body) const { with_foam_errors(body); }
 
 }  // namespace interphase

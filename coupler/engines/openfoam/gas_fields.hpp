@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "engines/openfoam/foam_gas.hpp"
 #include "engines/openfoam/mesh_part.hpp"
 #include "fvMesh.H"
+#include "run/case_gas.hpp"
 #include "uniformDimensionedFields.H"
 #include "volFields.H"
 
@@ -11,7 +11,7 @@ namespace interphase {
 
 /// Mesh and fields that every gas model has: U [m/s], p_rgh and p [Pa], voidage, and the gas's properties from
 /// constant/transportProperties (rho, mu) and constant/g.
-class GasFields : public FoamGas {
+class GasFields : public CaseGas {
 public:
     /// `mesh` outlives this.
     explicit GasFields(Foam::fvMesh& mesh);

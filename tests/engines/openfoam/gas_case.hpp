@@ -353,7 +353,7 @@ private:
     int argument_count_ = 0;
     char** argument_list_ = nullptr;
     std::unique_ptr<FoamCase> foam_;
-    std::unique_ptr<FoamGas> gas_;
+    std::unique_ptr<CaseGas> gas_;
     std::vector<Scalars> voidages_;  ///< step by step
 };
 

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 
+#include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "engines/liggghts/plugins/fix_registration.hpp"
 #include "engines/liggghts/plugins/plugin_fit.hpp"
@@ -150,6 +151,14 @@ std::string this_rank(const Communicator& comm)
 }
 
 }  // namespace
+
+std::string described(const std::vector<LoadedPlugin>& plugins)
+{
+    std::string all;
+    for (const LoadedPlugin& plugin : plugins)
+        all += (all.empty() ? "" : ", ") + plugin.name + " (" + plugin.file + ": " + listed(plugin.styles) + ")";
+    return all.empty() ? "none" : all;
+}
 
 std::vector<LoadedPlugin> load_plugins(const Communicator& comm, LAMMPS_NS::LAMMPS& lmp,
                                        const std::vector<std::string>& wanted, const std::string& asked_by)

@@ -18,6 +18,9 @@ struct LoadedPlugin {
     std::vector<std::string> styles;
 };
 
+/// "hard_sphere (/path/libhard_sphere.so: tdhs, wall/tdhs)", or "none".
+std::string described(const std::vector<LoadedPlugin>& plugins);
+
 /// Loads plug-ins, named as find_plugin() wants them, and makes their fix styles known to this LIGGGHTS. Either all of
 /// them on all ranks, or a UserError: no such library, one that cannot be loaded, one that is no plug-in or is built
 /// against something else, a style that is taken. `asked_by` says where the user asked for them. Collective.

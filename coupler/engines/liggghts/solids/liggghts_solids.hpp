@@ -4,10 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "base/communicator.hpp"
 #include "engines/liggghts/plugins/plugin_loader.hpp"
-#include "settings/settings.hpp"
-#include "step/solids.hpp"
+#include "run/particle_engine.hpp"
 
 namespace LAMMPS_NS {
 class Fix;
@@ -19,26 +17,19 @@ namespace interphase {
 class FixFluid;
 
 /// LIGGGHTS, unmodified, as the engine of the particles.
-class LiggghtsSolids : public Solids {
+class LiggghtsSolids : public ParticleEngine {
 public:
     /// Runs the case's script (in the current folder). An error in it ends the program, with LIGGGHTS's own words and
     /// the line it choked on. Collective.
     LiggghtsSolids(const Communicator& comm, const Settings& settings);
     ~LiggghtsSolids() override;
 
-    /// The shortest collision time t_c [s], where the contact model tells.
-    std::optional<double> contact_duration() const { return contact_duration_; }
-
-    /// The longest step [s] that the plug-ins' fixes bear, where one tells (plugin.hpp).
-    std::optional<double> step_limit() const { return step_limit_; }
-
-    const std::vector<LoadedPlugin>& plugins() const { return plugins_; }
-
-    double largest_diameter() const;   ///< of the tracked spheres [m]. Collective.
-    double smallest_diameter() const;  ///< of the tracked spheres [m]. Collective.
-
-    /// Sets the step [s] and readies the run of about `steps` steps, with or without a gas. Collective.
-    void start(double solid_step, long steps, bool with_gas);
+    std::optional<double> contact_duration() const override { return contact_duration_; }
+    std::optional<double> step_limit() const override { return step_limit_; }
+    std::string plugins() const override { return described(plugins_); }
+    double largest_diameter() const override;
+    double smallest_diameter() const override;
+    void start(double solid_step, long steps, bool with_gas) override;
 
     ParticleView particles() override;
     Vector gravity() const override { return gravity_; }
@@ -49,7 +40,7 @@ public:
     SolidStress* solid_stress() override { return solid_stress_; }
     void advance(int substeps) override;
 
-    std::string version() const;
+    std::string version() const override;
 
 private:
     void refuse_unusable_scene() const;

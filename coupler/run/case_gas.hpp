@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
-
 #include "step/gas.hpp"
 
 namespace interphase {
 
-/// A gas on an OpenFOAM mesh, whichever model solves it. (OpenFOAM's headers stay out of this one.)
-class FoamGas : public Gas {
+/// The gas of a case on disk, whichever engine and model solve it.
+class CaseGas : public Gas {
 public:
     /// Largest Courant number of the last step, of the interstitial velocity. Collective.
     virtual double courant_number() const = 0;
@@ -19,7 +17,7 @@ public:
     virtual double total_volume() const = 0;  ///< of the mesh [m3]. Collective.
     virtual Box bounds() const = 0;           ///< of the whole mesh [m]
 
-    virtual Vector gravity() const = 0;  ///< constant/g [m/s2]
+    virtual Vector gravity() const = 0;  ///< [m/s2]
 };
 
 }  // namespace interphase

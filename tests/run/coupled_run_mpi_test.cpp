@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The time loop with engines that are fakes: which steps are made, what is recorded when, what a run refuses, and how
+// it ends when a step fails.
+#include "run/coupled_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <numeric>
+
+#include "base/user_error.hpp"
+#include "support/fake_case.hpp"
+#include "support/open_file.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/world.hpp"
+
+namespace {
+
+using namespace interphase;
+using test::FakeCase;
+using test::FakeCaseGas;
+using test::FakeDictionary;
+using test::FakeEngine;
+using test::OpenFile;
+using test::Particle;
+using test::world;
+using Block = FakeDictionary::Block;
+
+class CoupledRunTest : public testing::Test {
+protected:
+    CoupledRunTest()
+    {
+        if (world().is_master()) std::ofstream("in.script") << "\n";
+        world().barrier();
+        says({});
+        all = {Particle{}};
+        all[0].position = Vector(0.5, 0.5, 2);
+    }
+
+    /// couplingDict with this beside what it must have.
+    void says(const Block& more)
+    {
+        Block entries{{"particles", Block{{"script", "in.script"}, {"solidStep", solid_step}}}};
+        entries.insert(entries.end(), more.begin(), more.end());
+        the_case.coupling = FakeDictionary(entries);
+    }
+
+    void run()
+    {
+        CoupledRun coupled(the_case, [this](const Communicator& comm, const Settings&) {
+            auto made =
+                std::make_unique<FakeEngine>(comm, comm.is_master() ? all : std::vector<Particle>{}, particle_gravity);
+            made->collision_time = collision_time;
+            engine = made.get();
+            return made;
+        });
+        coupled.run();
+        advances = engine->advances;
+    }
+
+    std::string refusal()
+    {
+        try {
+            run();
+        } catch (const UserError& error) {
+            return error.what();
+        }
+        return "";
+    }
+
+    test::ScratchFolder folder{world()};
+    test::BoxMesh mesh{
+        world(), {test::even_planes(0, 1, 2), test::even_planes(0, 1, 2), test::even_planes(0, 4, 8)}, 2};
+    FakeCase the_case{world(), mesh};
+    Vector particle_gravity = the_case.gravity;
+    std::optional<double> collision_time;
+    double solid_step = 1e-3;
+    std::vector<Particle> all;
+    FakeEngine* engine = nullptr;
+    std::vector<int> advances;
+};
+
+TEST_F(CoupledRunTest, GoesToTheEndInLockstep)
+{
+    run();
+    EXPECT_EQ(the_case.steps.size(), 10u);  // 0.1 s by 0.01 s
+    EXPECT_EQ(advances, std::vector<int>(10, 10));
+    EXPECT_NEAR(the_case.now, 0.1, 1e-12);
+}
+
+TEST_F(CoupledRunTest, RecordsWhatIsDueWhenItIs)
+{
+    says({{"records", Block{{"interval", 0.02}, {"snapshotInterval", 0.05}}}});
+    the_case.write_interval = 0.05;
+    run();
+    if (!world().is_master()) return;  // who wrote the file
+    const OpenFile results("results.h5"), particles("particles.h5");
+    const Scalars times = results.doubles("/series/time"), ledger = results.doubles("/ledger/time");
+    ASSERT_EQ(times.size(), 5u);
+    for (std::size_t n = 0; n < times.size(); ++n)
+        EXPECT_NEAR(times[n], 0.02 * static_cast<double>(n + 1), 1e-9);
+    EXPECT_EQ(ledger.size(), 10u);  // one a gas step
+    EXPECT_EQ(the_case.written.size(), 2u);
+    EXPECT_TRUE(particles.has("/snapshots"));
+    EXPECT_NEAR(results.attribute("/meta", "simulated_time").at(0), 0.1, 1e-9);
+}
+
+TEST_F(CoupledRunTest, AdjustsTheGasStepToTheCourantNumber)
+{
+    the_case.adjusts = true;
+    the_case.largest_courant = 0.5;
+    the_case.prepare = [](FakeCaseGas& gas) { gas.courant = 1.0; };
+    run();
+    ASSERT_GE(the_case.steps.size(), 2u);
+    EXPECT_NEAR(the_case.steps[0], 0.005, 1e-12);  // halved before the first step
+    EXPECT_NEAR(std::accumulate(the_case.steps.begin(), the_case.steps.end(), 0.0), 0.1, 1e-9);
+}
+
+TEST_F(CoupledRunTest, RunsParticlesWithoutAGas)
+{
+    says({{"gas", Block{{"model", "none"}}}});
+    run();
+    EXPECT_EQ(the_case.gas, nullptr);
+    EXPECT_EQ(std::accumulate(advances.begin(), advances.end(), 0), 100);
+    if (world().is_master()) {
+        EXPECT_FALSE(OpenFile("results.h5").has("/ledger"));
+    }
+}
+
+TEST_F(CoupledRunTest, TellsTheGasStepInWhichSomethingWentWrongAndKeepsTheRecords)
+{
+    int solved = 0;
+    the_case.prepare = [&](FakeCaseGas& gas) {
+        gas.on_solve = [&] {
+            if (++solved == 4) throw UserError(Problem{"the gas has had enough", "in the test", "let it rest"});
+        };
+    };
+    says({{"records", Block{{"interval", 0.01}}}});
+    const std::string words = refusal();
+    EXPECT_NE(words.find("the gas has had enough"), std::string::npos) << words;
+    EXPECT_NE(words.find("in the gas step from t = 0.03 s to 0.04 s"), std::string::npos) << words;
+    if (!world().is_master()) return;  // who wrote the file
+    const OpenFile results("results.h5");
+    EXPECT_EQ(results.doubles("/series/time").size(), 3u);
+    EXPECT_NEAR(results.attribute("/meta", "simulated_time").at(0), 0.04, 1e-9);
+}
+
+TEST_F(CoupledRunTest, RefusesAnEmptyScene)
+{
+    all.clear();
+    EXPECT_NE(refusal().find("there are no particles"), std::string::npos);
+}
+
+TEST_F(CoupledRunTest, RefusesTwoGravities)
+{
+    particle_gravity = Vector(0, 0, -1.62);
+    EXPECT_NE(refusal().find("gas and particles feel different gravity"), std::string::npos);
+}
+
+TEST_F(CoupledRunTest, RefusesASolidStepThatContactsDoNotBear)
+{
+    collision_time = 5e-3;
+    EXPECT_NE(refusal().find("too long for the contact model"), std::string::npos);
+}
+
+TEST_F(CoupledRunTest, RefusesASolidStepLongerThanTheGasStep)
+{
+    the_case.step = 5e-4;
+    EXPECT_NE(refusal().find("is longer than the gas step"), std::string::npos);
+}
+
+TEST_F(CoupledRunTest, DerivesTheSolidStepFromTheCollisionTime)
+{
+    the_case.coupling = FakeDictionary({{"particles", Block{{"script", "in.script"}, {"stepsPerCollision", 20.0}}}});
+    collision_time = 5e-2;  // /20 = 2.5e-3 s, four in a gas step
+    run();
+    EXPECT_EQ(advances, std::vector<int>(10, 4));
+}
+
+TEST_F(CoupledRunTest, SaysWhichEnginesRan)
+{
+    run();
+    if (!world().is_master()) return;
+    const std::string versions = OpenFile("results.h5").word("/meta", "versions");
+    EXPECT_NE(versions.find("PointParticles 1"), std::string::npos) << versions;
+    EXPECT_NE(versions.find("BoxGas 1"), std::string::npos) << versions;
+}
+
+}  // namespace
