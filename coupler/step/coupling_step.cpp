@@ -257,6 +257,10 @@ void CouplingStep::return_gas_to_particles(double dt)
     for (std::size_t t = 0; t < visits_.order().size(); ++t)
         take_home(particles, visits_.order()[t], answers_.home[t], with_added_mass ? added_masses_.home[t].mass : 0.0,
                   dt);
+    Vector assumed = Vector::Zero();
+    for (std::size_t i = 0; i < particles.size(); ++i)
+        assumed += to_vector(particles.coupling[i].assumed_impulse);
+    ledger_.momentum.step.assumed_at_start = assumed;
     if (stress_) begin_solid_stress(particles, dt);
 }
 
@@ -282,7 +286,6 @@ void CouplingStep::take_home(const ParticleView& particles, std::size_t i, const
     const double time = response_time(m, k, dt, added_mass);
     set(own.free_change, free_change(m, k, u - v, solids_.gravity() + force / m, time));
     own.response_time = static_cast<float>(time);
-    ledger_.momentum.step.assumed_at_start += assumed;
 }
 
 void CouplingStep::begin_solid_stress(const ParticleView& particles, double dt)
@@ -301,7 +304,6 @@ void CouplingStep::leave_without_gas(const ParticleView& particles, std::size_t 
     set(own.assumed_impulse, to_vector(own.assumed_impulse) - solid_step_ * particles.booked_force(i));
     std::fill_n(particles.booked + 3 * i, 3, 0.0);
     own.response_time = 0;
-    ledger_.momentum.step.assumed_at_start += to_vector(own.assumed_impulse);
 }
 
 void CouplingStep::move_particles(int substeps)
@@ -326,18 +328,23 @@ void CouplingStep::book()
     particle_count_ = count;
     if (!settings_.two_way) return;
 
+    ExchangeAccount::Step& momentum = ledger_.momentum.step;
+    Vector taken = momentum.taken_by_particles, assumed = Vector::Zero(), owed = Vector::Zero();
     for (std::size_t i = 0; i < particles.size(); ++i) {
         if (stress_) {
             const double m = particles.mass[static_cast<Eigen::Index>(i)];
             const Vector force = stress_->returned_by_drag(i, m, solid_step_) / solid_step_;
             Eigen::Map<Vector>(particles.booked + 3 * i) += force;
         }
-        const Vector taken = solid_step_ * particles.booked_force(i);
-        const Vector assumed = to_vector(particles.coupling[i].assumed_impulse);
-        ledger_.momentum.step.taken_by_particles += taken;
-        ledger_.momentum.step.assumed_of_particles += assumed;
-        ledger_.momentum.step.owed += taken - assumed;
+        const Vector taken_here = solid_step_ * particles.booked_force(i);
+        const Vector assumed_here = to_vector(particles.coupling[i].assumed_impulse);
+        taken += taken_here;
+        assumed += assumed_here;
+        owed += taken_here - assumed_here;
     }
+    momentum.taken_by_particles = taken;
+    momentum.assumed_of_particles = assumed;
+    momentum.owed = owed;
     ledger_.book(fewer);
 }
 

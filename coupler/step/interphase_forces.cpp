@@ -167,8 +167,9 @@ void InterphaseForces::note_wave(const ParticleInGas& at, const Response& respon
 {
     // Waves are kinematic in steps beyond one relaxation time, and there are none in a bed at rest.
     constexpr double at_rest = 0.5;
+    if (!(response.rate * at.duration > at.mass && at.held < at_rest)) return;
     const Vector slip = at.slip();
-    if (!(response.rate * at.duration > at.mass && at.held < at_rest && slip.norm() > 0)) return;
+    if (!(slip.norm() > 0)) return;
     const auto rate_at = [&](double voidage, double speed) { return drag_.rate_at(at, voidage, speed); };
     const Vector wave = kinematic_wave_speed(rate_at, at.voidage, slip.norm()) * slip.normalized();
     const Vector crossed = at.duration * wave.cwiseQuotient(at.cell_extent);

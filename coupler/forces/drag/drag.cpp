@@ -43,7 +43,7 @@ void Drag::act(const ParticleInGas& at, Response& response)
 {
     const Vector slip = at.slip();
     const double eps = at.voidage;
-    const double reynolds = eps * at.density * slip.norm() * at.diameter / at.viscosity;
+    const double reynolds = superficial_reynolds(eps, slip.norm(), at.diameter, at.density, at.viscosity);
     beyond_range_ += eps < law_.voidage_min || eps > law_.voidage_max || reynolds > law_.reynolds_max;
 
     const DragState asked = asked_for(at);
@@ -51,10 +51,11 @@ void Drag::act(const ParticleInGas& at, Response& response)
         return at.volume * drag_rate_per_volume(law_, eps, speed, at.diameter, at.density, at.viscosity, asked);
     };
     const double inertia = at.mass + response.added_mass;
-    Vector acceleration = at.gravity - response.pressed_volume / at.mass * at.pressure_gradient;
-    acceleration += response.force / at.mass;
-    response.rate +=
-        rate_over_step(rate_of, slip, inertia, (1 - at.held) * (at.mass / inertia) * acceleration, at.duration);
+    const auto acceleration = [&] {
+        const Vector by_forces = response.force - response.pressed_volume * at.pressure_gradient;
+        return Vector((1 - at.held) * (at.mass / inertia) * (at.gravity + by_forces / at.mass));
+    };
+    response.rate += rate_over_step(rate_of, slip, inertia, acceleration, at.duration);
 }
 
 }  // namespace interphase

@@ -46,7 +46,7 @@ double drag_rate_per_volume(const DragLaw& law, double voidage, double slip_spee
                             double gas_viscosity, DragState state)
 {
     state.voidage = voidage;
-    state.reynolds = voidage * gas_density * slip_speed * diameter / gas_viscosity;
+    state.reynolds = superficial_reynolds(voidage, slip_speed, diameter, gas_density, gas_viscosity);
     return 18.0 * gas_viscosity * voidage * law.factor(state) / (diameter * diameter);
 }
 

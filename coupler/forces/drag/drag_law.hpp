@@ -40,6 +40,13 @@ const std::vector<DragLaw>& drag_laws();
 /// The law of this name; nullptr where there is none.
 const DragLaw* find_drag_law(std::string_view name);
 
+/// Re = eps rho |u_g - v| d / mu [-], what laws see and their ranges are given in.
+inline double superficial_reynolds(double voidage, double slip_speed, double diameter, double gas_density,
+                                   double gas_viscosity)
+{
+    return voidage * gas_density * slip_speed * diameter / gas_viscosity;
+}
+
 /// beta / (1 - eps) = 18 mu eps F / d^2 [kg/(m3 s)]: times V_p, the drag rate of one particle [kg/s]. Finite at
 /// voidage 1 and at slip 0.
 /// @param slip_speed     |u_g - v| [m/s], the gas velocity being the one between the particles (not superficial)

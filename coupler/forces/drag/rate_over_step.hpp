@@ -18,17 +18,19 @@ constexpr double short_step = 0.1;
 /// dt.
 /// @param rate_of       k [kg/s] of a slip speed [m/s]
 /// @param slip          at the start [m/s]
-/// @param acceleration  a, by other forces than drag, as far as they are free to act [m/s2]
-template <class Rate>
-double rate_over_step(const Rate& rate_of, const Vector& slip, double mass, const Vector& acceleration, double dt)
+/// @param acceleration  gives a, by other forces than drag, as far as they are free to act [m/s2]; short steps do not
+/// ask
+template <class Rate, class Acceleration>
+double rate_over_step(const Rate& rate_of, const Vector& slip, double mass, const Acceleration& acceleration, double dt)
 {
     double k = rate_of(slip.norm());
     if (!(k * dt / mass > short_step)) return k;
+    const Vector a = acceleration();
     constexpr int most_tries = 6;
     constexpr double close_enough = 1e-3;
     for (int n = 0; n < most_tries; ++n) {
         const double gone = -std::expm1(-0.5 * k * dt / mass);
-        const Vector balance = -mass / k * acceleration;
+        const Vector balance = -mass / k * a;
         const double next = rate_of((slip + gone * (balance - slip)).norm());
         // Where the slip is that of balance, next falls with a power p <= 1 of k: taken in full it would swing about
         // the answer. p is about 0.6 where that matters.

@@ -39,7 +39,9 @@ double balance(const Law& law)
 TEST(RateOverStep, OfALinearLawIsTheLaws)
 {
     for (const double dt : {1e-4, 1e-1, 1e3})
-        EXPECT_DOUBLE_EQ(rate_over_step(Law{0}, {0.1, 0, -0.3}, mass, gravity, dt), 1e-5);
+        EXPECT_DOUBLE_EQ(rate_over_step(
+                             Law{0}, {0.1, 0, -0.3}, mass, [] { return gravity; }, dt),
+                         1e-5);
 }
 
 TEST(RateOverStep, OfALongStepIsThatOfBalanceFromAnySlip)
@@ -49,7 +51,10 @@ TEST(RateOverStep, OfALongStepIsThatOfBalanceFromAnySlip)
         const double settled = balance(law);
         for (const double start : {0.0, 0.1 * settled, settled, 10 * settled})
             // the last correction is below 1 part in 1000 and takes at least half of what is wrong
-            EXPECT_NEAR(rate_over_step(law, {0, 0, start}, mass, gravity, 1e3) / law(settled), 1, 2e-3)
+            EXPECT_NEAR(rate_over_step(
+                            law, {0, 0, start}, mass, [] { return gravity; }, 1e3) /
+                            law(settled),
+                        1, 2e-3)
                 << power << ", from " << start;
     }
 }
@@ -62,7 +67,9 @@ TEST(RateOverStep, BringsTheFallCloserThanTheRateOfTheStart)
         Vector v = Vector::Zero();
         const double dt = time / steps;
         for (int n = 0; n < steps; ++n) {
-            const double k = predicts ? rate_over_step(law, -v, mass, gravity, dt) : law(v.norm());
+            const double k = predicts ? rate_over_step(
+                                            law, -v, mass, [] { return gravity; }, dt)
+                                      : law(v.norm());
             v += free_change(mass, k, -v, gravity, response_time(mass, k, dt));
         }
         return v.z();
@@ -75,7 +82,9 @@ TEST(RateOverStep, BringsTheFallCloserThanTheRateOfTheStart)
 TEST(RateOverStep, OfAShortStepIsThatOfItsStart)
 {
     const Law law{0.6};
-    EXPECT_EQ(rate_over_step(law, {0, 0, 0.1}, mass, gravity, 0.09 * mass / law(0.1)), law(0.1));
+    EXPECT_EQ(rate_over_step(
+                  law, {0, 0, 0.1}, mass, [] { return gravity; }, 0.09 * mass / law(0.1)),
+              law(0.1));
 }
 
 }  // namespace
