@@ -21,7 +21,7 @@ public:
         add(out, in);
     }
 
-    /// Records of one kind: `out` in the order that a SparseExchange's plan says; `in` gets those that arrive.
+    /// Records of one kind: `out` in the order that a ExchangePlan's plan says; `in` gets those that arrive.
     template <class Record>
     Message& add(std::vector<Record>& out, std::vector<Record>& in)
     {

@@ -110,7 +110,7 @@ CellNeighbourhood::Candidates CellNeighbourhood::add_reaching_cells_of_others(co
             offered.push_back(cell);
         }
     }
-    SparseExchange offer(comm_);
+    ExchangePlan offer(comm_);
     offer.plan(counts);
 
     Candidates candidates;

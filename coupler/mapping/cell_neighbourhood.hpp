@@ -7,7 +7,7 @@
 
 #include "base/communicator.hpp"
 #include "base/numbers.hpp"
-#include "exchange/sparse_exchange.hpp"
+#include "exchange/exchange_plan.hpp"
 #include "mapping/mesh_view.hpp"
 
 namespace interphase {
@@ -90,7 +90,7 @@ private:
     std::vector<int> neighbours_;
     std::vector<std::size_t> first_of_octants_;
     std::vector<int> of_octants_;
-    SparseExchange exchange_;          ///< from owners to those that hold halo copies
+    ExchangePlan exchange_;            ///< from owners to those that hold halo copies
     std::vector<std::size_t> served_;  ///< own cells that others hold, ordered by rank
 };
 

@@ -26,7 +26,7 @@ public:
 
     /// Adds sum_i w_ic q_i to `of_cells` [local_count].
     template <class Record>
-    void add_to_cells(const std::vector<Record>& of_particles, std::vector<Record>& of_cells) const
+    void deposit(const std::vector<Record>& of_particles, std::vector<Record>& of_cells) const
     {
         for (std::size_t i = 0; i < particles(); ++i) {
             const Numbers<Record> q = numbers(of_particles[i]);
@@ -37,7 +37,7 @@ public:
 
     /// sum_c w_ic q_c for each particle [n].
     template <class Record>
-    void at_particles(const std::vector<Record>& of_cells, std::vector<Record>& of_particles) const
+    void interpolate(const std::vector<Record>& of_cells, std::vector<Record>& of_particles) const
     {
         of_particles.resize(particles());
         for (std::size_t i = 0; i < particles(); ++i) {

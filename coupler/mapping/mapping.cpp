@@ -22,7 +22,7 @@ void Mapping::place(const Vectors& positions, const std::vector<int>& cells)
 Scalars Mapping::solid_volume(const Scalars& of_particles)
 {
     Scalars volume(cells_.local_count(), 0.0);
-    weights_.add_to_cells(of_particles, volume);
+    weights_.deposit(of_particles, volume);
     cells_.add_halo_to_owners(volume);
     limit_.relieve(volume);
     volume.resize(cells_.own_count());

@@ -23,10 +23,10 @@ public:
     /// Contents of the own cells, sum_i w_ic q_i [own cells], of a record of doubles: deposition. After solid_volume().
     /// Collective.
     template <class Record>
-    std::vector<Record> to_cells(const std::vector<Record>& of_particles) const
+    std::vector<Record> deposit(const std::vector<Record>& of_particles) const
     {
         std::vector<Record> content(cells_.local_count(), Record{});
-        weights_.add_to_cells(of_particles, content);
+        weights_.deposit(of_particles, content);
         cells_.add_halo_to_owners(content);
         limit_.hand_over(content);
         content.resize(cells_.own_count());
@@ -36,12 +36,12 @@ public:
     /// Values at the particles, sum_c w_ic q_c [n], of own-cell values: interpolation, its transpose. After
     /// solid_volume(). Collective.
     template <class Record>
-    void to_particles(std::vector<Record> of_cells, std::vector<Record>& of_particles) const
+    void interpolate(std::vector<Record> of_cells, std::vector<Record>& of_particles) const
     {
         of_cells.resize(cells_.local_count(), Record{});
         limit_.take_from_receivers(of_cells);
         cells_.fill_halo(of_cells);
-        weights_.at_particles(of_cells, of_particles);
+        weights_.interpolate(of_cells, of_particles);
     }
 
     long cells_relieved() const { return limit_.cells_relieved(); }

@@ -11,7 +11,7 @@ namespace interphase {
 /// What the coupler keeps of each particle between gas steps, beside the FluidForce. The particle engine carries both
 /// along when particles change rank or place, as plain bytes; a new particle starts with the defaults.
 struct ParticleCoupling {
-    CellAddress home;                       ///< gas cell that held the centre
+    CellAddress owner_cell;                 ///< gas cell that held the centre
     double assumed_impulse[3] = {0, 0, 0};  ///< of drag and pressure, by the gas solve [kg m/s]
 
     // only what tells how far contacts held it in the last gas step, hence single precision

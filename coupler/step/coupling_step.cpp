@@ -35,19 +35,18 @@ CouplingStep::CouplingStep(const Communicator& comm, const Settings& settings, G
       gas_(gas),
       solids_(solids),
       stopwatch_(stopwatch),
-      homes_search_(comm, gas.locator()),
-      visits_(comm),
+      owner_cell_search_(comm, gas.locator()),
+      owner_exchange_(comm),
       mapping_(comm, gas.mesh(), settings.mapping,
                settings.kernel_width > 0 ? settings.kernel_width : 2 * largest_diameter, settings.maximum_packing),
       forces_(settings, gas, mapping_, solids.gravity()),
       ledger_(comm),
-      watch_(solids.gravity().norm()),
+      watch_(comm, gas, solids),
+      losses_(comm),
       stress_model_(solids.solid_stress()),
       voidage_(gas.mesh().size(), 1.0),
       solid_volume_(gas.mesh().size(), 0.0),
-      demand_(gas.mesh().size()),
-      widest_(
-          (comm.max(Vector(gas.locator().bounds().col(1))) - comm.min(Vector(gas.locator().bounds().col(0)))).norm())
+      demand_(gas.mesh().size())
 {
     if (stress_model_) stress_.emplace(comm_, gas_, mapping_, *stress_model_);
 }
@@ -57,18 +56,18 @@ void CouplingStep::advance(double dt, int substeps)
     solid_step_ = dt / substeps;
     kicks_again_ = substeps == 1 && solids_.takes_new_forces();
     long_step_ = forces_.is_long(dt);
-    if (particle_count_ < 0) inspect_start();
+    if (!inspected_) inspect_start();
     bring_particles_to_their_cells();
     map_voidage();
     map_solid_stress();
-    note_crossing(dt);
+    watch_.note_crossing(visitors_, dt);
     ask_for_forces(dt);
     solve_gas(dt);
     return_gas_to_particles(dt);
-    refuse_impossible_flight();
+    watch_.refuse_impossible_flight(solid_step_);
     move_particles(substeps);
     book();
-    if (settings_.two_way) watch(dt);
+    if (settings_.two_way) watch_.observe(forces_, voidage_, solid_volume_, dt);
 }
 
 void CouplingStep::bring_particles_to_their_cells()
@@ -76,20 +75,19 @@ void CouplingStep::bring_particles_to_their_cells()
     stopwatch_.switch_to(Phase::exchange);
     const ParticleView particles = solids_.particles();
     const std::size_t n = particles.size();
-    ids_at_start_.assign(particles.id, particles.id + n);
-    positions_at_start_.assign(particles.position.data(), particles.position.data() + 3 * n);
+    losses_.remember(particles);
 
-    homes_.resize(n);
+    owner_cells_.resize(n);
     for (std::size_t i = 0; i < n; ++i)
-        homes_[i] = particles.coupling[i].home;
-    homes_search_.update(particles.position, homes_);
+        owner_cells_[i] = particles.coupling[i].owner_cell;
+    owner_cell_search_.update(particles.position, owner_cells_);
     refuse_particles_outside(particles);
     for (std::size_t i = 0; i < n; ++i)
-        particles.coupling[i].home = homes_[i];
-    visits_.plan(homes_);
+        particles.coupling[i].owner_cell = owner_cells_[i];
+    owner_exchange_.plan(owner_cells_);
 
     Visitors& travellers = travellers_;
-    const std::size_t travelling = visits_.order().size();
+    const std::size_t travelling = owner_exchange_.order().size();
     travellers.visitor.resize(travelling);
     if (settings_.two_way) travellers.owed.resize(travelling);
     if (asks_for_restraint()) travellers.restraint.resize(travelling);
@@ -97,7 +95,7 @@ void CouplingStep::bring_particles_to_their_cells()
     double weight = 1, per_real = 1;  // of the last one, which most share: a cube root is dear
     starts_.resize(n);
     for (std::size_t t = 0; t < travelling; ++t) {
-        const std::size_t i = visits_.order()[t];
+        const std::size_t i = owner_exchange_.order()[t];
         const auto column = static_cast<Eigen::Index>(i);
         starts_[i] = starting_velocity(particles, i);
         if (particles.weight[i] != weight) {
@@ -121,8 +119,8 @@ void CouplingStep::bring_particles_to_their_cells()
     if (settings_.two_way) message.add(travellers.owed, visitors_.owed);
     if (asks_for_restraint()) message.add(travellers.restraint, visitors_.restraint);
     if (stress_) message.add(travellers.momentum, visitors_.momentum);
-    visits_.bring(message);
-    visitors_.cell = visits_.cells();
+    owner_exchange_.gather(message);
+    visitors_.cell = owner_exchange_.cells();
 }
 
 Owed CouplingStep::owed_to(const ParticleView& particles, std::size_t i) const
@@ -190,8 +188,8 @@ void CouplingStep::map_voidage()
         volumes_[i] = visitors_.visitor[i].volume;
     }
     mapping_.place(positions_, visitors_.cell);
-    for (const CellAddress& home : homes_)
-        outside_ += !home.known();
+    for (const CellAddress& owner : owner_cells_)
+        outside_ += !owner.known();
     if (!needs_solid_volume()) return;
 
     solid_volume_ = mapping_.solid_volume(volumes_);
@@ -246,22 +244,22 @@ void CouplingStep::return_gas_to_particles(double dt)
 
     stopwatch_.switch_to(Phase::exchange);
     const bool with_added_mass = forces_.needs().added_mass;
-    Message message(answers_.of_visitors, answers_.home);
-    if (with_added_mass) message.add(added_masses_.of_visitors, added_masses_.home);
-    if (stress_) message.add(of_stress_.of_visitors, of_stress_.home);
-    visits_.take_back(message);
+    Message message(answers_.of_visitors, answers_.arrived);
+    if (with_added_mass) message.add(added_masses_.of_visitors, added_masses_.arrived);
+    if (stress_) message.add(of_stress_.of_visitors, of_stress_.arrived);
+    owner_exchange_.scatter(message);
 
     const ParticleView particles = solids_.particles();
     for (std::size_t i = 0; i < particles.size(); ++i)
-        if (!homes_[i].known()) leave_without_gas(particles, i);
-    for (std::size_t t = 0; t < visits_.order().size(); ++t)
-        take_home(particles, visits_.order()[t], answers_.home[t], with_added_mass ? added_masses_.home[t].mass : 0.0,
-                  dt);
+        if (!owner_cells_[i].known()) leave_without_gas(particles, i);
+    for (std::size_t t = 0; t < owner_exchange_.order().size(); ++t)
+        take_home(particles, owner_exchange_.order()[t], answers_.arrived[t],
+                  with_added_mass ? added_masses_.arrived[t].mass : 0.0, dt);
     Vector assumed = Vector::Zero();
     for (std::size_t i = 0; i < particles.size(); ++i)
         assumed += to_vector(particles.coupling[i].assumed_impulse);
     ledger_.momentum.step.assumed_at_start = assumed;
-    if (stress_) begin_solid_stress(particles, dt);
+    if (stress_) stress_->begin(answers_.arrived, of_stress_.arrived, owner_exchange_.order(), particles.mass, dt);
 }
 
 void CouplingStep::take_home(const ParticleView& particles, std::size_t i, const Answer& answer, double added_mass,
@@ -286,14 +284,6 @@ void CouplingStep::take_home(const ParticleView& particles, std::size_t i, const
     const double time = response_time(m, k, dt, added_mass);
     set(own.free_change, free_change(m, k, u - v, solids_.gravity() + force / m, time));
     own.response_time = static_cast<float>(time);
-}
-
-void CouplingStep::begin_solid_stress(const ParticleView& particles, double dt)
-{
-    const StepTooLong found = stress_->begin(answers_.home, of_stress_.home, visits_.order(), particles.mass, dt);
-    too_long_.crossing_cells += found.crossing_cells;
-    too_long_.beyond_relaxation += found.beyond_relaxation;
-    longest_step_ = comm_.min(found.longest);
 }
 
 void CouplingStep::leave_without_gas(const ParticleView& particles, std::size_t i)
@@ -322,10 +312,7 @@ void CouplingStep::book()
     const ParticleView particles = solids_.particles();
     comm_.fail_together(trouble(particles));
 
-    const long count = comm_.sum(static_cast<long>(particles.size()));
-    const bool fewer = count < particle_count_;
-    if (fewer && !solids_.may_remove_particles()) refuse_loss(particles, particle_count_ - count);
-    particle_count_ = count;
+    const bool particles_left = losses_.particles_left(particles, solids_.may_remove_particles());
     if (!settings_.two_way) return;
 
     ExchangeAccount::Step& momentum = ledger_.momentum.step;
@@ -345,7 +332,7 @@ void CouplingStep::book()
     momentum.taken_by_particles = taken;
     momentum.assumed_of_particles = assumed;
     momentum.owed = owed;
-    ledger_.book(fewer);
+    ledger_.book(particles_left);
 }
 
 Interventions CouplingStep::interventions() const
@@ -353,17 +340,18 @@ Interventions CouplingStep::interventions() const
     std::vector<Count> of_terms = forces_.counts();
     for (Count& count : of_terms)
         count.number = comm_.sum(count.number);
+    const StepTooLong too_long = stress_ ? stress_->step_too_long() : StepTooLong{};
     return {comm_.sum(relieved_),
             comm_.sum(outside_),
             of_terms,
             comm_.sum(stress_ ? stress_->cells_overpacked() : 0L),
-            {comm_.sum(too_long_.crossing_cells), comm_.sum(too_long_.beyond_relaxation)},
+            {comm_.sum(too_long.crossing_cells), comm_.sum(too_long.beyond_relaxation)},
             watch_.counts()};
 }
 
 std::size_t CouplingStep::bytes_sent() const
 {
-    return homes_search_.bytes_sent() + visits_.bytes_sent() + mapping_.bytes_sent();
+    return owner_cell_search_.bytes_sent() + owner_exchange_.bytes_sent() + mapping_.bytes_sent();
 }
 
 }  // namespace interphase

@@ -8,15 +8,16 @@
 #include <vector>
 
 #include "base/stopwatch.hpp"
-#include "exchange/home_search.hpp"
-#include "exchange/visits.hpp"
+#include "exchange/owner_cell_search.hpp"
+#include "exchange/owner_exchange.hpp"
 #include "mapping/mapping.hpp"
 #include "momentum/ledger.hpp"
 #include "settings/settings.hpp"
 #include "step/gas.hpp"
 #include "step/interphase_forces.hpp"
+#include "step/loss_watch.hpp"
 #include "step/solids.hpp"
-#include "step/stability_watch.hpp"
+#include "step/step_watch.hpp"
 #include "step/stress_exchange.hpp"
 
 namespace interphase {
@@ -41,7 +42,7 @@ public:
                  Stopwatch& stopwatch);
 
     /// The time that messages count from [s]; 0 at first.
-    void start_at(double time) { time_ = time; }
+    void start_at(double time) { watch_.start_at(time); }
 
     /// Advances gas and particles by `dt` = `substeps` solid steps. Throws a UserError on all ranks if a particle is
     /// outside the mesh, a packing cannot be relieved, a value is not finite or a weight below 1. Collective.
@@ -52,9 +53,12 @@ public:
     bool has_solid_stress() const { return stress_.has_value(); }
     /// What the next gas step should not exceed, the same on all ranks [s]: what the solid stress bore in the last one
     /// (eq. 28 of the paper), and what the stability watch asks for.
-    double longest_step() const { return std::min(longest_step_, watch_.longest_step()); }
+    double longest_step() const
+    {
+        return std::min(stress_ ? stress_->step_too_long().longest : DBL_MAX, watch_.longest_step());
+    }
     /// What the watch on stability has to tell of the last gas step; empty where there is nothing new.
-    const std::string& news() const { return news_; }
+    const std::string& news() const { return watch_.news(); }
 
     /// Collective.
     Interventions interventions() const;
@@ -65,7 +69,7 @@ public:
 private:
     template <class Record>
     struct Homeward {
-        std::vector<Record> of_visitors, home;  ///< as sent, as arrived
+        std::vector<Record> of_visitors, arrived;  ///< as sent, as arrived
     };
 
     void inspect_start();
@@ -78,14 +82,9 @@ private:
     void leave_without_gas(const ParticleView& particles, std::size_t i);
     void move_particles(int substeps);
     void book();
-    void note_crossing(double dt);
-    StepState state_of_step(double dt);
-    void watch(double dt);
-    void refuse_impossible_flight() const;
 
     bool needs_solid_volume() const { return settings_.two_way || stress_; }
     bool asks_for_restraint() const { return settings_.two_way && long_step_; }
-    void begin_solid_stress(const ParticleView& particles, double dt);
     Vector starting_velocity(const ParticleView& particles, std::size_t i) const;
     Vector impulse_to_take_back(const ParticleView& particles, std::size_t i) const;
     void kick_again(const ParticleView& particles, std::size_t i, const Vector& velocity, const Vector& others);
@@ -93,7 +92,6 @@ private:
     Restraint restraint_of(const ParticleView& particles, std::size_t i) const;
     void take_home(const ParticleView& particles, std::size_t i, const Answer& answer, double added_mass, double dt);
     void refuse_particles_outside(const ParticleView& particles) const;
-    void refuse_loss(const ParticleView& particles, long lost) const;
     std::optional<Problem> trouble(const ParticleView& particles) const;
 
     Communicator comm_;
@@ -102,19 +100,18 @@ private:
     Solids& solids_;
     Stopwatch& stopwatch_;
 
-    HomeSearch homes_search_;
-    Visits visits_;
+    OwnerCellSearch owner_cell_search_;
+    OwnerExchange owner_exchange_;
     Mapping mapping_;
     InterphaseForces forces_;
     Ledger ledger_;
-    StabilityWatch watch_;
+    StepWatch watch_;
+    LossWatch losses_;
     SolidStress* stress_model_;
     std::optional<StressExchange> stress_;  ///< of a model that wants it
 
-    std::vector<int> ids_at_start_;  ///< of the gas step, to name a particle that gets lost in it
-    Scalars positions_at_start_;
-    std::vector<CellAddress> homes_;
-    std::vector<Vector> starts_;      ///< velocity with which each particle with a home begins the step [m/s]
+    std::vector<CellAddress> owner_cells_;
+    std::vector<Vector> starts_;      ///< velocity with which each particle with an owner cell begins the step [m/s]
     Visitors travellers_, visitors_;  ///< as sent, as arrived
     Vectors positions_;               ///< of the visitors [m]
     Scalars volumes_;                 ///< of the visitors [m3]
@@ -125,18 +122,12 @@ private:
     Scalars solid_volume_;  ///< own cells [m3]
     Scalars gas_volume_;    ///< own cells, by what has flowed in and out [m3]
     Demand demand_;
+    bool inspected_ = false;
     double solid_step_ = 0;
     bool long_step_ = true;     ///< so long for some particle that contacts and pressure change what it asks of the gas
     bool kicks_again_ = false;  ///< the solids begin this gas step with its own forces
-    double time_ = 0;           ///< for the watch [s]
-    double crossing_ = 0;       ///< most gas cells that a particle of this rank crosses in the step
-    double widest_;             ///< diagonal of the whole mesh [m]
-    std::string news_;
     long outside_ = 0;
     long relieved_ = 0;
-    StepTooLong too_long_;           ///< its counts, of the whole run
-    double longest_step_ = DBL_MAX;  ///< of the last gas step [s]
-    long particle_count_ = -1;
 };
 
 }  // namespace interphase

@@ -37,7 +37,7 @@ void InterphaseForces::judge_contacts(const Visitors& visitors)
         std::fill(hold_.begin(), hold_.end(), Hold{});
         return;
     }
-    const std::vector<Restraint> of_cells = mapping_.to_cells(visitors.restraint);
+    const std::vector<Restraint> of_cells = mapping_.deposit(visitors.restraint);
     for (std::size_t c = 0; c < hold_.size(); ++c)
         hold_[c].judge(to_vector(of_cells[c].by_contacts), to_vector(of_cells[c].without_contacts), of_cells[c].weight);
 }
@@ -51,7 +51,7 @@ void InterphaseForces::look_at_gas(const Visitors& visitors, const Scalars& void
         here[c].voidage = voidage[c];
         set(here[c].velocity, vector_at(gas_velocity, c));
     }
-    mapping_.to_particles(std::move(here), here_);
+    mapping_.interpolate(std::move(here), here_);
 
     first_step_ = pressure_gradient_.empty();
     if (first_step_) pressure_gradient_ = gas_.pressure_gradient();
@@ -62,7 +62,7 @@ void InterphaseForces::look_at_gas(const Visitors& visitors, const Scalars& void
             last_step[c].doubt = hold_[c].doubt;
             set(last_step[c].pressure_gradient, vector_at(pressure_gradient_, c));
         }
-        mapping_.to_particles(std::move(last_step), last_step_);
+        mapping_.interpolate(std::move(last_step), last_step_);
     }
 
     const GasProperty density = gas_.density(), viscosity = gas_.viscosity();
@@ -71,7 +71,7 @@ void InterphaseForces::look_at_gas(const Visitors& visitors, const Scalars& void
         for (std::size_t c = 0; c < cells; ++c)
             properties[c] = {density.varies() ? density.of_cells[c] : density.uniform,
                              viscosity.varies() ? viscosity.of_cells[c] : viscosity.uniform};
-        mapping_.to_particles(std::move(properties), properties_);
+        mapping_.interpolate(std::move(properties), properties_);
     } else
         properties_.assign(1, {density.uniform, viscosity.uniform});
 
@@ -80,14 +80,14 @@ void InterphaseForces::look_at_gas(const Visitors& visitors, const Scalars& void
         std::vector<GradientHere> gradients(cells);
         for (std::size_t c = 0; c < cells; ++c)
             std::copy_n(&flat[9 * c], 9, gradients[c].of_velocity);
-        mapping_.to_particles(std::move(gradients), gradients_);
+        mapping_.interpolate(std::move(gradients), gradients_);
     }
     if (needs_.viscous_force) {
         const Scalars flat = gas_.viscous_force();
         std::vector<ViscousForceHere> forces(cells);
         for (std::size_t c = 0; c < cells; ++c)
             set(forces[c].force, vector_at(flat, c));
-        mapping_.to_particles(std::move(forces), viscous_forces_);
+        mapping_.interpolate(std::move(forces), viscous_forces_);
     }
     if (needs_.mean_diameter) look_at_sizes(visitors);
 }
@@ -102,11 +102,11 @@ void InterphaseForces::look_at_sizes(const Visitors& visitors)
         const Visitor& visitor = visitors.visitor[i];
         sizes[i] = {visitor.volume, visitor.volume / visitor.diameter};
     }
-    const std::vector<Sizes> of_cells = mapping_.to_cells(sizes);
+    const std::vector<Sizes> of_cells = mapping_.deposit(sizes);
     Scalars diameters(of_cells.size(), 0.0);  // no particle sees a cell without any
     for (std::size_t c = 0; c < of_cells.size(); ++c)
         if (of_cells[c].surface > 0) diameters[c] = of_cells[c].volume / of_cells[c].surface;
-    mapping_.to_particles(std::move(diameters), mean_diameters_);
+    mapping_.interpolate(std::move(diameters), mean_diameters_);
 }
 
 void InterphaseForces::look_at(const Visitors& visitors, std::size_t i, ParticleInGas& at) const
@@ -178,7 +178,7 @@ void InterphaseForces::note_wave(const ParticleInGas& at, const Response& respon
 
 void InterphaseForces::sum_over_cells(Demand& demand) const
 {
-    const std::vector<Reaction> of_cells = mapping_.to_cells(reactions_);
+    const std::vector<Reaction> of_cells = mapping_.deposit(reactions_);
     for (std::size_t c = 0; c < of_cells.size(); ++c) {
         const Reaction& sum = of_cells[c];
         const double per_volume = 1.0 / gas_.mesh().volume[c];
@@ -201,7 +201,7 @@ void InterphaseForces::answer(const Visitors& visitors, std::vector<Answer>& ans
         set(solved[c].velocity, vector_at(gas_velocity_, c));
         set(solved[c].pressure_gradient, vector_at(pressure_gradient_, c));
     }
-    mapping_.to_particles(std::move(solved), solved_);
+    mapping_.interpolate(std::move(solved), solved_);
 
     answers.resize(visitors.size());
     added_masses.resize(needs_.added_mass ? visitors.size() : 0);

@@ -19,7 +19,7 @@ void StressExchange::compute(const Scalars& solid_volume, const std::vector<Mome
     for (std::size_t c = 0; c < mesh.size(); ++c)
         stress[c] = model_.stress(solid_volume[c] / mesh.volume[c]);
     const Scalars stress_gradient = gas_.gradient(stress);
-    const std::vector<Momentum> of_solids = mapping_.to_cells(momenta);
+    const std::vector<Momentum> of_solids = mapping_.deposit(momenta);
 
     std::vector<StressHere> cells(mesh.size(), StressHere{});
     Scalars fractions(mesh.size()), flow(3 * mesh.size());
@@ -33,7 +33,7 @@ void StressExchange::compute(const Scalars& solid_volume, const std::vector<Mome
         }
     }
     add_closing_speeds(fractions, flow, cells);
-    mapping_.to_particles(std::move(cells), at_visitors_);
+    mapping_.interpolate(std::move(cells), at_visitors_);
 }
 
 void StressExchange::add_closing_speeds(const Scalars& fractions, const Scalars& flow,
@@ -95,8 +95,8 @@ void StressExchange::answer(const std::vector<int>& cells, std::vector<StressAns
     }
 }
 
-StepTooLong StressExchange::begin(const std::vector<Answer>& answers, const std::vector<StressAnswer>& of_stress,
-                                  const std::vector<std::size_t>& order, const ScalarsView& mass, double gas_step)
+void StressExchange::begin(const std::vector<Answer>& answers, const std::vector<StressAnswer>& of_stress,
+                           const std::vector<std::size_t>& order, const ScalarsView& mass, double gas_step)
 {
     StressState* states = model_.states();
     std::fill_n(states, mass.size(), StressState{});  // what is in no gas cell feels no stress
@@ -115,7 +115,9 @@ StepTooLong StressExchange::begin(const std::vector<Answer>& answers, const std:
     const StepTooLong found = model_.begin(gas_step);
     const char* complaint = model_.complaint();
     comm_.fail_together(complaint ? std::optional(Problem{complaint, "", ""}) : std::nullopt);
-    return found;
+    step_too_long_.crossing_cells += found.crossing_cells;
+    step_too_long_.beyond_relaxation += found.beyond_relaxation;
+    step_too_long_.longest = comm_.min(found.longest);
 }
 
 Vector StressExchange::returned_by_drag(std::size_t i, double mass, double solid_step) const

@@ -31,8 +31,8 @@ public:
 
     /// Hands the answers, arrived in the order `order` of the rank's particles, to the model. Throws a UserError if it
     /// complains of the gas step. Collective.
-    StepTooLong begin(const std::vector<Answer>& answers, const std::vector<StressAnswer>& of_stress,
-                      const std::vector<std::size_t>& order, const ScalarsView& mass, double gas_step);
+    void begin(const std::vector<Answer>& answers, const std::vector<StressAnswer>& of_stress,
+               const std::vector<std::size_t>& order, const ScalarsView& mass, double gas_step);
 
     /// What drag gave back of the stress's impulse on particle i of the rank in the last gas step, of solid steps of
     /// `solid_step` [s]: an impulse of the fluid [kg m/s].
@@ -40,6 +40,9 @@ public:
 
     /// Cells of this rank beyond close packing, cell by cell and step by step.
     long cells_overpacked() const { return cells_overpacked_; }
+    /// Particles of this rank for which the gas step was too long, likewise; and the step that none of any rank would
+    /// have found too long in the last one.
+    const StepTooLong& step_too_long() const { return step_too_long_; }
 
 private:
     void look_for_overpacked_cells(const Scalars& solid_volume);
@@ -52,6 +55,7 @@ private:
     std::vector<StressHere> at_visitors_;
     bool started_ = false;
     long cells_overpacked_ = 0;
+    StepTooLong step_too_long_;
 };
 
 }  // namespace interphase

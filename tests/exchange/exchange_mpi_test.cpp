@@ -6,8 +6,8 @@
 
 #include <random>
 
-#include "exchange/home_search.hpp"
-#include "exchange/visits.hpp"
+#include "exchange/owner_cell_search.hpp"
+#include "exchange/owner_exchange.hpp"
 #include "support/box_mesh.hpp"
 #include "support/world.hpp"
 
@@ -32,7 +32,7 @@ public:
     void scatter(std::size_t count, const Box& within)
     {
         points.resize(3, static_cast<Eigen::Index>(count));
-        homes.assign(count, CellAddress{});
+        owner_cells.assign(count, CellAddress{});
         for (auto column : points.colwise())
             for (int axis = 0; axis < 3; ++axis)
                 column[axis] = uniform(within(axis, 0), within(axis, 1));
@@ -48,19 +48,19 @@ public:
     }
 
     VectorsView view() const { return {points.data(), 3, points.cols()}; }
-    std::size_t size() const { return homes.size(); }
+    std::size_t size() const { return owner_cells.size(); }
     Vector point(std::size_t i) const { return points.col(static_cast<Eigen::Index>(i)); }
 
     std::size_t abroad() const
     {
         std::size_t count = 0;
-        for (const CellAddress& home : homes)
-            count += home.known() && home.rank != world().rank();
+        for (const CellAddress& owner : owner_cells)
+            count += owner.known() && owner.rank != world().rank();
         return count;
     }
 
     Eigen::Matrix3Xd points;
-    std::vector<CellAddress> homes;
+    std::vector<CellAddress> owner_cells;
 
 private:
     double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
@@ -72,69 +72,69 @@ void expect_at_home(const Cloud& cloud, const BoxMesh& mesh)
 {
     for (std::size_t i = 0; i < cloud.size(); ++i) {
         const CellAddress expected = mesh.address_of(cloud.point(i));
-        ASSERT_EQ(cloud.homes[i].rank, expected.rank) << cloud.point(i).transpose();
-        ASSERT_EQ(cloud.homes[i].cell, expected.cell) << cloud.point(i).transpose();
+        ASSERT_EQ(cloud.owner_cells[i].rank, expected.rank) << cloud.point(i).transpose();
+        ASSERT_EQ(cloud.owner_cells[i].cell, expected.cell) << cloud.point(i).transpose();
     }
 }
 
-TEST(HomeSearch, FindsHomesNotKnownBefore)
+TEST(OwnerCellSearch, FindsHomesNotKnownBefore)
 {
     const BoxMesh mesh = tall_box();
-    HomeSearch search(world(), mesh);
+    OwnerCellSearch search(world(), mesh);
     Cloud cloud(1);
     cloud.scatter(200, mesh.whole());
-    search.update(cloud.view(), cloud.homes);
+    search.update(cloud.view(), cloud.owner_cells);
     expect_at_home(cloud, mesh);
 }
 
-TEST(HomeSearch, FollowsSmallMovesFromCellToCellAndRankToRank)
+TEST(OwnerCellSearch, FollowsSmallMovesFromCellToCellAndRankToRank)
 {
     const BoxMesh mesh = tall_box();
-    HomeSearch search(world(), mesh);
+    OwnerCellSearch search(world(), mesh);
     Cloud cloud(2);
     cloud.scatter(200, mesh.whole());
     for (int step = 0; step < 50; ++step) {
         cloud.move(0.7, mesh.whole());
-        search.update(cloud.view(), cloud.homes);
+        search.update(cloud.view(), cloud.owner_cells);
         expect_at_home(cloud, mesh);
     }
 }
 
-TEST(HomeSearch, FollowsJumpsFartherThanAWalkReaches)
+TEST(OwnerCellSearch, FollowsJumpsFartherThanAWalkReaches)
 {
     const BoxMesh mesh = tall_box();
-    HomeSearch search(world(), mesh);
+    OwnerCellSearch search(world(), mesh);
     Cloud cloud(3);
     for (int step = 0; step < 10; ++step) {
-        const std::vector<CellAddress> last = cloud.homes;
+        const std::vector<CellAddress> last = cloud.owner_cells;
         cloud.scatter(100, mesh.whole());
-        if (step > 0) cloud.homes = last;
-        search.update(cloud.view(), cloud.homes);
+        if (step > 0) cloud.owner_cells = last;
+        search.update(cloud.view(), cloud.owner_cells);
         expect_at_home(cloud, mesh);
     }
 }
 
-TEST(HomeSearch, KnownAndUnknownHomesMayMix)
+TEST(OwnerCellSearch, KnownAndUnknownHomesMayMix)
 {
     const BoxMesh mesh = tall_box();
-    HomeSearch search(world(), mesh);
+    OwnerCellSearch search(world(), mesh);
     Cloud cloud(4);
     cloud.scatter(100, mesh.whole());
-    search.update(cloud.view(), cloud.homes);
+    search.update(cloud.view(), cloud.owner_cells);
     cloud.move(1.5, mesh.whole());
     for (std::size_t i = 0; i < cloud.size(); i += 3)
-        cloud.homes[i] = CellAddress{};  // inserted ones
-    search.update(cloud.view(), cloud.homes);
+        cloud.owner_cells[i] = CellAddress{};  // inserted ones
+    search.update(cloud.view(), cloud.owner_cells);
     expect_at_home(cloud, mesh);
 }
 
-TEST(HomeSearch, OutsideThereIsNoHomeAndTheWayBackIsFound)
+TEST(OwnerCellSearch, OutsideThereIsNoHomeAndTheWayBackIsFound)
 {
     const BoxMesh mesh = tall_box();
-    HomeSearch search(world(), mesh);
+    OwnerCellSearch search(world(), mesh);
     Cloud cloud(5);
     cloud.scatter(60, mesh.whole());
-    search.update(cloud.view(), cloud.homes);
+    search.update(cloud.view(), cloud.owner_cells);
 
     const Eigen::Matrix3Xd inside = cloud.points;
     for (Eigen::Index i = 0; i < inside.cols(); ++i) {  // out through each of the six sides, near and far
@@ -142,48 +142,48 @@ TEST(HomeSearch, OutsideThereIsNoHomeAndTheWayBackIsFound)
         const double beyond = i % 2 ? 1e-6 : 100.0;
         cloud.points(axis, i) = i % 4 < 2 ? mesh.whole()(axis, 0) - beyond : mesh.whole()(axis, 1) + beyond;
     }
-    search.update(cloud.view(), cloud.homes);
-    for (const CellAddress& home : cloud.homes)
-        EXPECT_FALSE(home.known());
+    search.update(cloud.view(), cloud.owner_cells);
+    for (const CellAddress& owner : cloud.owner_cells)
+        EXPECT_FALSE(owner.known());
 
     cloud.points = inside;
-    search.update(cloud.view(), cloud.homes);
+    search.update(cloud.view(), cloud.owner_cells);
     expect_at_home(cloud, mesh);
 }
 
-TEST(HomeSearch, PointsOnFacesBelongToACellThatTouchesThem)
+TEST(OwnerCellSearch, PointsOnFacesBelongToACellThatTouchesThem)
 {
     const BoxMesh mesh = tall_box();
-    HomeSearch search(world(), mesh);
+    OwnerCellSearch search(world(), mesh);
     Cloud cloud(6);
     cloud.scatter(61, mesh.whole());
     for (int k = 0; k <= 60; ++k)
         cloud.points.col(k) = Vector(1.0, 0.1, k);  // between cells, ranks, and on the rim
-    for (int repeat = 0; repeat < 2; ++repeat) {    // searched for, and from the last home
-        search.update(cloud.view(), cloud.homes);
+    for (int repeat = 0; repeat < 2; ++repeat) {    // searched for, and from the last owner cell
+        search.update(cloud.view(), cloud.owner_cells);
         for (std::size_t i = 0; i < cloud.size(); ++i)
-            EXPECT_TRUE(mesh.holds(cloud.homes[i], cloud.point(i))) << i;
+            EXPECT_TRUE(mesh.holds(cloud.owner_cells[i], cloud.point(i))) << i;
     }
 }
 
-TEST(HomeSearch, NotANumberIsInNoCell)
+TEST(OwnerCellSearch, NotANumberIsInNoCell)
 {
     const BoxMesh mesh = tall_box();
-    HomeSearch search(world(), mesh);
+    OwnerCellSearch search(world(), mesh);
     Cloud cloud(7);
     cloud.scatter(1, mesh.whole());
     cloud.points(1, 0) = std::nan("");
-    search.update(cloud.view(), cloud.homes);
-    EXPECT_FALSE(cloud.homes[0].known());
+    search.update(cloud.view(), cloud.owner_cells);
+    EXPECT_FALSE(cloud.owner_cells[0].known());
 }
 
-TEST(HomeSearch, ARankWithoutParticlesTakesPart)
+TEST(OwnerCellSearch, ARankWithoutParticlesTakesPart)
 {
     const BoxMesh mesh = tall_box();
-    HomeSearch search(world(), mesh);
+    OwnerCellSearch search(world(), mesh);
     Cloud cloud(8);
     cloud.scatter(world().is_master() ? 30 : 0, mesh.whole());
-    search.update(cloud.view(), cloud.homes);
+    search.update(cloud.view(), cloud.owner_cells);
     expect_at_home(cloud, mesh);
 }
 
@@ -194,7 +194,7 @@ struct Named {
 };
 
 template <int width>
-std::vector<Named<width>> records_of(const Visits& visits)
+std::vector<Named<width>> records_of(const OwnerExchange& visits)
 {
     std::vector<Named<width>> records;
     for (const std::size_t i : visits.order()) {
@@ -205,11 +205,11 @@ std::vector<Named<width>> records_of(const Visits& visits)
     return records;
 }
 
-TEST(Visits, RoundTripReturnsEveryParticlesOwnData)
+TEST(OwnerExchange, RoundTripReturnsEveryParticlesOwnData)
 {
     const BoxMesh mesh = tall_box();
-    HomeSearch search(world(), mesh);
-    Visits visits(world());
+    OwnerCellSearch search(world(), mesh);
+    OwnerExchange visits(world());
     Cloud cloud(9);
     cloud.scatter(300, mesh.whole());
     for (int step = 0; step < 3; ++step) {
@@ -217,8 +217,8 @@ TEST(Visits, RoundTripReturnsEveryParticlesOwnData)
         if (step == 1)  // some are outside
             for (Eigen::Index i = 0; i < cloud.points.cols(); i += 7)
                 cloud.points(0, i) = -1;
-        search.update(cloud.view(), cloud.homes);
-        visits.plan(cloud.homes);
+        search.update(cloud.view(), cloud.owner_cells);
+        visits.plan(cloud.owner_cells);
 
         // the hosts see the positions, and that each is in the cell it asks for; a second kind of record, of another
         // size, travels with them
@@ -233,7 +233,7 @@ TEST(Visits, RoundTripReturnsEveryParticlesOwnData)
         expected_numbers = numbers;
         Message message(positions, arrived);
         message.add(numbers, arrived_numbers);
-        visits.bring(message);
+        visits.gather(message);
         ASSERT_EQ(arrived.size(), visits.visitors());
         ASSERT_EQ(arrived_numbers.size(), visits.visitors());
         for (std::size_t v = 0; v < visits.visitors(); ++v)
@@ -242,10 +242,10 @@ TEST(Visits, RoundTripReturnsEveryParticlesOwnData)
         // and what they answer comes back to the one that asked, both kinds
         std::vector<Named<2>> records = records_of<2>(visits), visitors, answers;
         const std::vector<Named<2>> expected = records;
-        visits.bring({records, visitors});
+        visits.gather({records, visitors});
         Message home(visitors, answers);
         home.add(arrived_numbers, numbers);
-        visits.take_back(home);
+        visits.scatter(home);
         ASSERT_EQ(answers.size(), expected.size());
         for (std::size_t t = 0; t < answers.size(); ++t)
             for (int k = 0; k < 2; ++k)
@@ -253,31 +253,31 @@ TEST(Visits, RoundTripReturnsEveryParticlesOwnData)
         EXPECT_EQ(numbers, expected_numbers);
 
         std::size_t known = 0;
-        for (const CellAddress& home : cloud.homes)
-            known += home.known();
+        for (const CellAddress& owner : cloud.owner_cells)
+            known += owner.known();
         EXPECT_EQ(visits.order().size(), known);
         EXPECT_EQ(world().sum(static_cast<long>(visits.visitors())), world().sum(static_cast<long>(known)));
     }
 }
 
-/// Bytes that this rank sends in a step: homes, a record of eight numbers out and one of seven back.
-std::size_t bytes_of_a_step(HomeSearch& search, Cloud& cloud)
+/// Bytes that this rank sends in a step: owner_cells, a record of eight numbers out and one of seven back.
+std::size_t bytes_of_a_step(OwnerCellSearch& search, Cloud& cloud)
 {
     const std::size_t before = search.bytes_sent();
-    search.update(cloud.view(), cloud.homes);
-    Visits visits(world());
-    visits.plan(cloud.homes);
+    search.update(cloud.view(), cloud.owner_cells);
+    OwnerExchange visits(world());
+    visits.plan(cloud.owner_cells);
     std::vector<Named<8>> records = records_of<8>(visits), visitors;
-    visits.bring({records, visitors});
+    visits.gather({records, visitors});
     std::vector<Named<7>> answers(visits.visitors()), fluid;
-    visits.take_back({answers, fluid});
+    visits.scatter({answers, fluid});
     return search.bytes_sent() - before + visits.bytes_sent();
 }
 
 TEST(MessageVolume, IsZeroWhereTheDecompositionsMatch)
 {
     const BoxMesh mesh = tall_box();
-    HomeSearch search(world(), mesh);
+    OwnerCellSearch search(world(), mesh);
     Cloud cloud(10);
     cloud.scatter(500, mesh.bounds());
     EXPECT_EQ(bytes_of_a_step(search, cloud), 0u);  // searched for
@@ -305,9 +305,9 @@ TEST(MessageVolume, FollowsTheParticlesThatCrossNotTheirTotal)
 {
     const BoxMesh mesh = tall_box();
     const auto settled_volume = [&](std::size_t staying, std::size_t crossing) {
-        HomeSearch search(world(), mesh);
+        OwnerCellSearch search(world(), mesh);
         Cloud cloud = partly_abroad(staying, crossing, mesh);
-        bytes_of_a_step(search, cloud);  // homes become known
+        bytes_of_a_step(search, cloud);  // owner_cells become known
         EXPECT_EQ(cloud.abroad(), world().size() > 1 ? crossing : 0u);
         return static_cast<long>(bytes_of_a_step(search, cloud));
     };

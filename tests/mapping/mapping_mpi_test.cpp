@@ -98,7 +98,7 @@ public:
     std::vector<Record> at_particles(const std::vector<Record>& cells) const
     {
         std::vector<Record> values;
-        mapping.to_particles(cells, values);
+        mapping.interpolate(cells, values);
         return values;
     }
 
@@ -180,7 +180,7 @@ TEST_P(MappingProperty, WeightsSumToOne)
         EXPECT_NEAR(one, 1.0, rounding);
     // and each particle's part from the cells' side, one at a time through a content that only it has
     for (std::size_t i = 0; i < 300; i += 50) {
-        const Scalars content = p.mapping.to_cells(p.of_particles([i](std::size_t n) { return n == i ? 1.0 : 0.0; }));
+        const Scalars content = p.mapping.deposit(p.of_particles([i](std::size_t n) { return n == i ? 1.0 : 0.0; }));
         EXPECT_NEAR(p.total(content), 1.0, rounding);
         for (const double part : content)
             EXPECT_GE(part, 0.0);
@@ -200,7 +200,7 @@ TEST_P(MappingProperty, ThereAndBackAreTransposed)
     p.mapping.solid_volume(p.of_particles([](std::size_t) { return 1e-3; }));
     const Scalars q = p.of_particles([](std::size_t i) { return noise(i); });
     const Scalars g = p.of_cells([](std::size_t c) { return noise(7 * c); });
-    const double of_cells = p.dot(p.mapping.to_cells(q), g);
+    const double of_cells = p.dot(p.mapping.deposit(q), g);
     EXPECT_NEAR(of_cells, p.dot(q, p.at_particles(g)), 300 * rounding);
     EXPECT_GT(std::abs(of_cells), 0.1);  // it is not the zero operator
 }
@@ -215,8 +215,8 @@ TEST_P(MappingProperty, RanksDoNotChangeTheResult)
     many.mapping.solid_volume(many.of_particles(q));
     one.mapping.solid_volume(one.of_particles(q));
 
-    const Scalars cells = many.everywhere(many.mapping.to_cells(many.of_particles(q)));
-    const Scalars cells_of_one = one.everywhere(one.mapping.to_cells(one.of_particles(q)));
+    const Scalars cells = many.everywhere(many.mapping.deposit(many.of_particles(q)));
+    const Scalars cells_of_one = one.everywhere(one.mapping.deposit(one.of_particles(q)));
     for (std::size_t c = 0; c < cells.size(); ++c)
         EXPECT_NEAR(cells[c], cells_of_one[c], rounding) << "cell " << c;
 
@@ -239,9 +239,9 @@ TEST_P(MappingProperty, SeveralValuesATimeAreTheSameAsOneByOne)
         const std::size_t n = 3 * p.mesh.global_number(c);
         cells.push_back({noise(n), noise(n + 1), noise(n + 2)});
     }
-    const std::vector<Three> together = p.mapping.to_cells(three), seen = p.at_particles(cells);
+    const std::vector<Three> together = p.mapping.deposit(three), seen = p.at_particles(cells);
     for (std::size_t k = 0; k < 3; ++k) {
-        const Scalars apart = p.mapping.to_cells(p.of_particles([k](std::size_t i) { return noise(3 * i + k); }));
+        const Scalars apart = p.mapping.deposit(p.of_particles([k](std::size_t i) { return noise(3 * i + k); }));
         for (std::size_t c = 0; c < apart.size(); ++c)
             EXPECT_NEAR(together[c].of[k], apart[c], rounding);
         const Scalars seen_apart = p.at_particles(p.of_cells([k](std::size_t c) { return noise(3 * c + k); }));
@@ -271,7 +271,7 @@ TEST(Kernel, IsTrilinearWithinAUniformGrid)
     const Vectors points{
         {2.6, 2.9, 4.25}};  // cells 2 | 2 and 3 | 3 and 4 hold it: centres at 2.5, 3.5; 2.5, 3.5; 3.5, 4.5
     const Placed p(world(), uniform_planes(), points, MappingType::kernel, 0.5);
-    const Scalars content = p.everywhere(p.mapping.to_cells(p.of_particles([](std::size_t) { return 1.0; })));
+    const Scalars content = p.everywhere(p.mapping.deposit(p.of_particles([](std::size_t) { return 1.0; })));
     const auto number = [](std::size_t i, std::size_t j, std::size_t k) { return i + 6 * (j + 5 * k); };
     EXPECT_NEAR(content[number(2, 2, 3)], 0.9 * 0.6 * 0.25, rounding);
     EXPECT_NEAR(content[number(3, 2, 3)], 0.1 * 0.6 * 0.25, rounding);
@@ -286,7 +286,7 @@ TEST(Kernel, ACellWeighsByItsVolume)
     // 1 (1 - 0.4 / 1) = 0.6, the thick one 3 (1 - 1.6 / 3) = 1.4. Four of each, so that every rank has one.
     const BoxMesh::Planes layers{Scalars{0, 1, 4}, Scalars{0, 1}, test::even_planes(0, 4, 4)};
     const Placed p(world(), layers, {{0.9, 0.5, 0.5}, {0.9, 0.5, 3.5}}, MappingType::kernel, 0.5);
-    const Scalars content = p.everywhere(p.mapping.to_cells(p.of_particles([](std::size_t) { return 1.0; })));
+    const Scalars content = p.everywhere(p.mapping.deposit(p.of_particles([](std::size_t) { return 1.0; })));
     for (const std::size_t layer : {0u, 3u}) {
         EXPECT_NEAR(content[2 * layer], 0.6 / 2, rounding);
         EXPECT_NEAR(content[2 * layer + 1], 1.4 / 2, rounding);
@@ -342,7 +342,7 @@ TEST(CellCentre, GivesAParticleToItsCellAlone)
 {
     const Vectors points = scattered(50, BoxMesh(alone(), graded_planes(), 2).whole());
     Placed p(world(), graded_planes(), points, MappingType::cell_centre, 2.3);
-    const Scalars content = p.everywhere(p.mapping.to_cells(p.of_particles([](std::size_t i) { return 1.0 + i; })));
+    const Scalars content = p.everywhere(p.mapping.deposit(p.of_particles([](std::size_t i) { return 1.0 + i; })));
     Scalars expected(p.mesh.global_count(), 0.0);
     const BoxMesh whole(alone(), graded_planes(), 2);
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -407,14 +407,14 @@ TEST(PackingLimit, EverythingElseFollowsTheVolume)
     ASSERT_GT(world().sum(p.mapping.cells_relieved()), 0);
 
     // the same operator: another quantity in proportion to the volume ends where the volume did
-    const Scalars doubled = p.mapping.to_cells(p.of_particles([](std::size_t) { return 2 * crowding_volume; }));
+    const Scalars doubled = p.mapping.deposit(p.of_particles([](std::size_t) { return 2 * crowding_volume; }));
     for (std::size_t c = 0; c < volume.size(); ++c)
         EXPECT_NEAR(doubled[c], 2 * volume[c], rounding);
 
     // any quantity is conserved, a constant stays one, and the two directions are transposed
     const Scalars q = p.of_particles([](std::size_t i) { return noise(i); });
     const Scalars g = p.of_cells([](std::size_t c) { return noise(7 * c); });
-    const Scalars content = p.mapping.to_cells(q);
+    const Scalars content = p.mapping.deposit(q);
     EXPECT_NEAR(p.total(content), p.total(q), 120 * rounding);
     EXPECT_NEAR(p.dot(content, g), p.dot(q, p.at_particles(g)), 120 * rounding);
     for (const double one : p.at_particles(Scalars(p.mesh.view().size(), 1.0)))

@@ -210,7 +210,7 @@ TEST(MessageVolume, OfAStepDoesNotGrowWithParticlesThatStayAtHome)
             all[static_cast<std::size_t>(n)].held = true;
         }
         const auto s = scene(world(), all, rules());
-        s->advance(substeps);  // finds the homes
+        s->advance(substeps);  // finds the owner cells
         const std::size_t before = s->step.bytes_sent();
         for (int n = 0; n < 3; ++n)
             s->advance(substeps);

@@ -7,7 +7,7 @@
 
 #include "engines/openfoam/gas_case.hpp"
 #include "engines/openfoam/poly_mesh.hpp"
-#include "exchange/home_search.hpp"
+#include "exchange/owner_cell_search.hpp"
 #include "support/world.hpp"
 
 namespace interphase::testing_gas {
@@ -165,13 +165,13 @@ TEST_P(Meshes, ParticlesThatMoveAreFollowedFromRankToRank)
 {
     // every rank has points everywhere, which jump by a cell or so, some out of the mesh
     std::vector<Vector> points = random_points(400);
-    HomeSearch homes(world(), locator());
+    OwnerCellSearch search(world(), locator());
     std::vector<CellAddress> found(points.size());
     std::mt19937 random(static_cast<unsigned>(100 + world().rank()));
     std::uniform_real_distribution<double> jump(-0.15, 0.15);
     long outside = 0, elsewhere = 0;
     for (int move = 0; move < 5; ++move) {
-        homes.update(VectorsView(points[0].data(), 3, static_cast<Eigen::Index>(points.size())), found);
+        search.update(VectorsView(points[0].data(), 3, static_cast<Eigen::Index>(points.size())), found);
         for (std::size_t i = 0; i < points.size(); ++i) {
             double nearest = 1e300;
             for (std::size_t c = 0; c < mesh_.cells.size(); ++c)

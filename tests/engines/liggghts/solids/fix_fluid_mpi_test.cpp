@@ -41,7 +41,7 @@ void write_script()
 /// Marks that tell every particle from every other one. Forces are exact in single precision.
 Vector force_on(int id) { return Vector(id, -2 * id, 0.5 * id + 1) / 1024; }
 Vector booked_of(int id) { return Vector(10 * id, id + 0.25, -id); }
-CellAddress home_of(int id) { return {id % 7, 1000 + id}; }
+CellAddress owner_cell_of(int id) { return {id % 7, 1000 + id}; }
 Vector impulse_of(int id) { return Vector(-id, 0.125 * id, 3 * id); }
 
 class Luggage : public testing::Test {
@@ -72,7 +72,7 @@ protected:
                 here.fluid[i].constant[axis] = static_cast<float>(force_on(id)[axis]);
                 here.booked[3 * i + static_cast<std::size_t>(axis)] = booked_of(id)[axis];
             }
-            here.coupling[i].home = home_of(id);
+            here.coupling[i].owner_cell = owner_cell_of(id);
             set(here.coupling[i].assumed_impulse, impulse_of(id));
         }
     }
@@ -91,7 +91,7 @@ TEST_F(Luggage, IsEmptyAtFirstAndGoesWithItsParticle)
         EXPECT_EQ(fresh.fluid[i].rate, 0);
         EXPECT_EQ(fresh.fluid[i].share, 1);
         EXPECT_EQ(fresh.booked_force(i), Vector(0, 0, 0));
-        EXPECT_FALSE(fresh.coupling[i].home.known());
+        EXPECT_FALSE(fresh.coupling[i].owner_cell.known());
         EXPECT_EQ(to_vector(fresh.coupling[i].assumed_impulse), Vector(0, 0, 0));
     }
 
@@ -109,8 +109,8 @@ TEST_F(Luggage, IsEmptyAtFirstAndGoesWithItsParticle)
         EXPECT_EQ(to_vector(here.fluid[i].constant), force) << id;
         // a sum of some hundred terms, one for each substep
         EXPECT_LT((here.booked_force(i) - booked_of(id) - substeps * force).norm(), 1e-10 * booked_of(id).norm()) << id;
-        EXPECT_EQ(here.coupling[i].home.rank, home_of(id).rank) << id;
-        EXPECT_EQ(here.coupling[i].home.cell, home_of(id).cell) << id;
+        EXPECT_EQ(here.coupling[i].owner_cell.rank, owner_cell_of(id).rank) << id;
+        EXPECT_EQ(here.coupling[i].owner_cell.cell, owner_cell_of(id).cell) << id;
         EXPECT_EQ(to_vector(here.coupling[i].assumed_impulse), impulse_of(id)) << id;
 
         // no other particle's force has moved it; velocity Verlet's first half kick was by the forces of the setup:

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exchange/home_search.hpp"
+#include "exchange/owner_cell_search.hpp"
 
 #include <utility>
 
-#include "exchange/sparse_exchange.hpp"
+#include "exchange/exchange_plan.hpp"
 
 namespace interphase {
 
@@ -25,7 +25,7 @@ struct SearchQuestion {
 
 }  // namespace
 
-HomeSearch::HomeSearch(const Communicator& comm, const CellLocator& locator) : comm_(comm), locator_(locator)
+OwnerCellSearch::OwnerCellSearch(const Communicator& comm, const CellLocator& locator) : comm_(comm), locator_(locator)
 {
     const Box mine = locator_.bounds();
     const Scalars all = comm_.all_gather(Scalars(mine.data(), mine.data() + mine.size()));
@@ -33,40 +33,41 @@ HomeSearch::HomeSearch(const Communicator& comm, const CellLocator& locator) : c
         bounds_.emplace_back(Eigen::Map<const Box>(all.data() + rank * mine.size()));
 }
 
-void HomeSearch::update(const VectorsView& positions, std::vector<CellAddress>& homes)
+void OwnerCellSearch::update(const VectorsView& positions, std::vector<CellAddress>& owner_cells)
 {
-    const Slots lost = walk_from_last_homes(positions, homes);
-    if (comm_.any(!lost.empty())) search_everywhere(positions, lost, homes);
+    const Slots lost = walk_from_last_owners(positions, owner_cells);
+    if (comm_.any(!lost.empty())) search_everywhere(positions, lost, owner_cells);
 }
 
-CellAddress HomeSearch::walk_or_search(const Vector& point, int start) const
+CellAddress OwnerCellSearch::walk_or_search(const Vector& point, int start) const
 {
     const CellAddress address = locator_.walk(point, start);
     return address.known() ? address : locator_.search(point);
 }
 
-HomeSearch::Slots HomeSearch::walk_from_last_homes(const VectorsView& positions, std::vector<CellAddress>& homes)
+OwnerCellSearch::Slots OwnerCellSearch::walk_from_last_owners(const VectorsView& positions,
+                                                              std::vector<CellAddress>& owner_cells)
 {
     const int me = comm_.rank();
     Slots lost;
     std::vector<Slots> asked(static_cast<std::size_t>(comm_.size()));
 
     const auto settle = [&](std::size_t slot, const CellAddress& address) {
-        homes[slot] = address;
+        owner_cells[slot] = address;
         if (!address.known())
             lost.push_back(slot);
         else if (address.rank != me)
             asked[static_cast<std::size_t>(address.rank)].push_back(slot);
     };
-    for (std::size_t slot = 0; slot < homes.size(); ++slot) {
-        const CellAddress home = homes[slot];
-        settle(slot, home.known() && home.rank == me
-                         ? walk_or_search(positions.col(static_cast<Eigen::Index>(slot)), home.cell)
-                         : home);
+    for (std::size_t slot = 0; slot < owner_cells.size(); ++slot) {
+        const CellAddress owner = owner_cells[slot];
+        settle(slot, owner.known() && owner.rank == me
+                         ? walk_or_search(positions.col(static_cast<Eigen::Index>(slot)), owner.cell)
+                         : owner);
     }
     if (comm_.size() == 1) return lost;
 
-    SparseExchange exchange(comm_);
+    ExchangePlan exchange(comm_);
     for (int round = 0;; ++round) {
         std::vector<int> counts;
         std::vector<WalkQuestion> questions;
@@ -76,7 +77,7 @@ HomeSearch::Slots HomeSearch::walk_from_last_homes(const VectorsView& positions,
             for (const std::size_t slot : slots) {
                 questions.emplace_back();
                 set(questions.back().position, positions.col(static_cast<Eigen::Index>(slot)));
-                questions.back().start = homes[slot].cell;
+                questions.back().start = owner_cells[slot].cell;
                 order.push_back(slot);
             }
             slots.clear();
@@ -89,9 +90,9 @@ HomeSearch::Slots HomeSearch::walk_from_last_homes(const VectorsView& positions,
             answers.push_back(walk_or_search(to_vector(asked_here.position), asked_here.start));
         const std::vector<CellAddress> found = exchange.backward(std::move(answers));
         for (std::size_t i = 0; i < order.size(); ++i) {
-            const CellAddress asked_for = homes[order[i]], address = found[i];
+            const CellAddress asked_for = owner_cells[order[i]], address = found[i];
             if (address.known() && address.rank == asked_for.rank)
-                homes[order[i]] = address;  // that rank has it
+                owner_cells[order[i]] = address;  // that rank has it
             else if (address.known() && address.rank == me)
                 settle(order[i], walk_or_search(positions.col(static_cast<Eigen::Index>(order[i])), address.cell));
             else
@@ -102,7 +103,8 @@ HomeSearch::Slots HomeSearch::walk_from_last_homes(const VectorsView& positions,
     return lost;
 }
 
-void HomeSearch::search_everywhere(const VectorsView& positions, const Slots& lost, std::vector<CellAddress>& homes)
+void OwnerCellSearch::search_everywhere(const VectorsView& positions, const Slots& lost,
+                                        std::vector<CellAddress>& owner_cells)
 {
     std::vector<int> counts;
     std::vector<SearchQuestion> questions;
@@ -118,17 +120,17 @@ void HomeSearch::search_everywhere(const VectorsView& positions, const Slots& lo
         }
         counts.push_back(static_cast<int>(order.size() - before));
     }
-    SparseExchange exchange(comm_);
+    ExchangePlan exchange(comm_);
     exchange.plan(counts);
     std::vector<CellAddress> answers;
     for (const SearchQuestion& asked_here : exchange.forward(std::move(questions)))
         answers.push_back(locator_.search(to_vector(asked_here.position)));
     const std::vector<CellAddress> found = exchange.backward(std::move(answers));
     for (const std::size_t slot : lost)
-        homes[slot] = CellAddress{};
+        owner_cells[slot] = CellAddress{};
     for (std::size_t i = 0; i < order.size(); ++i) {  // of several, the lowest rank's cell
-        CellAddress& home = homes[order[i]];
-        if (!home.known()) home = found[i];
+        CellAddress& owner = owner_cells[order[i]];
+        if (!owner.known()) owner = found[i];
     }
     bytes_sent_ += exchange.bytes_sent();
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the stability watch is told of a coupling step.
+#include "step/step_watch.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/text.hpp"
 #include "base/user_error.hpp"
-#include "step/coupling_step.hpp"
 
 namespace interphase {
 
@@ -55,18 +55,28 @@ struct Extremes {
 
 }  // namespace
 
-void CouplingStep::note_crossing(double dt)
+StepWatch::StepWatch(const Communicator& comm, const Gas& gas, Solids& solids)
+    : comm_(comm),
+      gas_(gas),
+      solids_(solids),
+      watch_(solids.gravity().norm()),
+      widest_(
+          (comm.max(Vector(gas.locator().bounds().col(1))) - comm.min(Vector(gas.locator().bounds().col(0)))).norm())
+{}
+
+void StepWatch::note_crossing(const Visitors& visitors, double dt)
 {
     crossing_ = 0;
-    for (std::size_t i = 0; i < visitors_.size(); ++i) {
-        const double(&v)[3] = visitors_.visitor[i].velocity;
-        const Vector& extent = gas_.mesh().extent[static_cast<std::size_t>(visitors_.cell[i])];
+    for (std::size_t i = 0; i < visitors.size(); ++i) {
+        const double(&v)[3] = visitors.visitor[i].velocity;
+        const Vector& extent = gas_.mesh().extent[static_cast<std::size_t>(visitors.cell[i])];
         for (int axis = 0; axis < 3; ++axis)
             if (dt * std::abs(v[axis]) > crossing_ * extent[axis]) crossing_ = dt * std::abs(v[axis]) / extent[axis];
     }
 }
 
-StepState CouplingStep::state_of_step(double dt)
+StepState StepWatch::state_of_step(InterphaseForces& forces, const Scalars& voidage, const Scalars& solid_volume,
+                                   double dt)
 {
     StepState state;
     state.time = time_ += dt;
@@ -85,16 +95,16 @@ StepState CouplingStep::state_of_step(double dt)
     }
 
     const Scalars gas_velocity = gas_.velocity();
-    const Scalars& pressure_gradient = forces_.pressure_gradient();
+    const Scalars& pressure_gradient = forces.pressure_gradient();
     double gas_speed2 = 0, solids = 0, crowded = 0;
     Vector gradient = Vector::Zero();
-    for (std::size_t c = 0; c < voidage_.size(); ++c) {
+    for (std::size_t c = 0; c < voidage.size(); ++c) {
         const Vector here = vector_at(pressure_gradient, c);
         gas_speed2 = std::max(gas_speed2, vector_at(gas_velocity, c).squaredNorm());
-        if (solid_volume_[c] <= 0) continue;
-        solids += solid_volume_[c];
-        crowded += solid_volume_[c] * (1 - voidage_[c]);
-        gradient += solid_volume_[c] * here;
+        if (solid_volume[c] <= 0) continue;
+        solids += solid_volume[c];
+        crowded += solid_volume[c] * (1 - voidage[c]);
+        gradient += solid_volume[c] * here;
         steepest.see(here.squaredNorm(), gas_.mesh().centre[c]);
     }
 
@@ -117,30 +127,30 @@ StepState CouplingStep::state_of_step(double dt)
     state.fastest = std::sqrt(of_particles.value);
     state.fastest_at = of_particles.where;
     state.fastest_id = static_cast<int>(of_particles.id);
-    Extremes most{gas_speed2, crossing_, forces_.wave_crossing(), forces_.fastest_relaxation()};
+    Extremes most{gas_speed2, crossing_, forces.wave_crossing(), forces.fastest_relaxation()};
     comm_.max(most);
     state.gas_speed = std::sqrt(most.gas_speed2);
     state.largest_crossing = most.crossing;
     state.largest_wave_crossing = most.wave_crossing;
-    forces_.set_fastest_relaxation(most.relaxation);
+    forces.set_fastest_relaxation(most.relaxation);
     return state;
 }
 
-void CouplingStep::watch(double dt)
+void StepWatch::observe(InterphaseForces& forces, const Scalars& voidage, const Scalars& solid_volume, double dt)
 {
-    const Finding finding = watch_.observe(state_of_step(dt));
+    const Finding finding = watch_.observe(state_of_step(forces, voidage, solid_volume, dt));
     if (finding.stability == Stability::hopeless) throw UserError(*finding.problem);
     news_ = finding.message();
 }
 
-void CouplingStep::refuse_impossible_flight() const
+void StepWatch::refuse_impossible_flight(double solid_step) const
 {
     const ParticleView particles = solids_.particles();
     std::optional<Problem> problem = gas_.trouble();
     for (std::size_t i = 0; i < particles.size() && !problem; ++i) {
         const auto column = static_cast<Eigen::Index>(i);
         const Vector v = Vector(particles.velocity.col(column)) + to_vector(particles.coupling[i].free_change);
-        if (v.norm() * solid_step_ < widest_) continue;
+        if (v.norm() * solid_step < widest_) continue;
         problem = Problem{
             "the gas would make particle " + std::to_string(particles.id[i]) + " (rank " +
                 std::to_string(comm_.rank()) + ") as fast as " + text(v.norm()) +

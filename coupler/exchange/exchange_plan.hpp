@@ -14,9 +14,9 @@ namespace interphase {
 ///
 /// The plan takes one exchange of counts (one integer per pair of ranks); after it every message has a known size and
 /// only ranks with records to share send any. Records to oneself are copied, not sent.
-class SparseExchange {
+class ExchangePlan {
 public:
-    explicit SparseExchange(const Communicator& comm) : comm_(comm) {}
+    explicit ExchangePlan(const Communicator& comm) : comm_(comm) {}
 
     /// Plans for `send_counts[r]` records to rank r. Collective.
     void plan(const std::vector<int>& send_counts);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exchange/sparse_exchange.hpp"
+#include "exchange/exchange_plan.hpp"
 
 #include <algorithm>
 
 namespace interphase {
 
-void SparseExchange::plan(const std::vector<int>& send_counts)
+void ExchangePlan::plan(const std::vector<int>& send_counts)
 {
     std::vector<int> receive_counts(send_counts);
     if (comm_.size() > 1)
@@ -26,7 +26,7 @@ void SparseExchange::plan(const std::vector<int>& send_counts)
     receive_ = parts(receive_counts, received_);
 }
 
-bool SparseExchange::stays_home() const
+bool ExchangePlan::stays_home() const
 {
     const auto home = [this](const Part& part) { return part.rank == comm_.rank(); };
     return std::all_of(send_.begin(), send_.end(), home) && std::all_of(receive_.begin(), receive_.end(), home);
@@ -62,8 +62,8 @@ private:
 
 }  // namespace
 
-void SparseExchange::transfer(const Message& message, const std::vector<Part>& to, const std::vector<Part>& from,
-                              std::size_t arriving) const
+void ExchangePlan::transfer(const Message& message, const std::vector<Part>& to, const std::vector<Part>& from,
+                            std::size_t arriving) const
 {
     constexpr int tag = 7301;
     const std::vector<Message::Block>& blocks = message.blocks();

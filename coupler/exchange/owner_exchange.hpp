@@ -4,18 +4,18 @@
 #include <vector>
 
 #include "exchange/cell_locator.hpp"
-#include "exchange/sparse_exchange.hpp"
+#include "exchange/exchange_plan.hpp"
 
 namespace interphase {
 
 /// Takes particle data to the ranks that own the particles' gas cells, and answers back. Particles whose cell is on
 /// their own rank send nothing.
-class Visits {
+class OwnerExchange {
 public:
-    explicit Visits(const Communicator& comm) : comm_(comm), exchange_(comm) {}
+    explicit OwnerExchange(const Communicator& comm) : comm_(comm), exchange_(comm) {}
 
-    /// Plans the visits of this rank's particles to `homes` [n]; particles without a home stay away. Collective.
-    void plan(const std::vector<CellAddress>& homes);
+    /// Plans the visits of this rank's particles to `owner_cells` [n]; particles without one stay away. Collective.
+    void plan(const std::vector<CellAddress>& owner_cells);
 
     /// The cell of each visitor on this rank [visitors()].
     const std::vector<int>& cells() const { return cells_; }
@@ -26,7 +26,7 @@ public:
 
     /// A message of records per travelling particle, in their order, to the hosts. Where nobody leaves its rank the two
     /// ends change places instead of being copied, so count on neither's content but the visitors'.
-    void bring(const Message& message) const
+    void gather(const Message& message) const
     {
         if (exchange_.stays_home())
             message.swap_ends();
@@ -35,7 +35,7 @@ public:
     }
 
     /// Records per visitor back to the travellers; likewise.
-    void take_back(const Message& message) const
+    void scatter(const Message& message) const
     {
         if (exchange_.stays_home())
             message.swap_ends();
@@ -47,7 +47,7 @@ public:
 
 private:
     Communicator comm_;
-    SparseExchange exchange_;
+    ExchangePlan exchange_;
     std::vector<std::size_t> order_;
     std::vector<int> cells_;
 };

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "base/communicator.hpp"
+#include "exchange/cell_locator.hpp"
+
+namespace interphase {
+
+/// Finds every particle's owner cell: the gas cell that holds its centre, and the rank that has the cell.
+///
+/// A particle's last owner cell is where its search starts; most stay or go to a neighbour. Only particles whose owner
+/// is on another rank cause messages. A particle that the walk loses, or that has none yet, is offered to the ranks
+/// whose part of the mesh may hold it.
+class OwnerCellSearch {
+public:
+    OwnerCellSearch(const Communicator& comm, const CellLocator& locator);
+
+    /// Updates `owner_cells` [n] for the particles at `positions` [n]. A particle in no gas cell gets an unknown one.
+    /// Collective.
+    void update(const VectorsView& positions, std::vector<CellAddress>& owner_cells);
+
+    /// Bytes this rank has sent to others so far.
+    std::size_t bytes_sent() const { return bytes_sent_; }
+
+private:
+    using Slots = std::vector<std::size_t>;
+
+    Slots walk_from_last_owners(const VectorsView& positions, std::vector<CellAddress>& owner_cells);
+    void search_everywhere(const VectorsView& positions, const Slots& lost, std::vector<CellAddress>& owner_cells);
+    CellAddress walk_or_search(const Vector& point, int start) const;
+
+    Communicator comm_;
+    const CellLocator& locator_;
+    std::vector<Box> bounds_;  ///< of each rank's part of the mesh
+    std::size_t bytes_sent_ = 0;
+};
+
+}  // namespace interphase
