@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "forces/needs.hpp"
 #include "forces/particle_in_gas.hpp"
 #include "forces/response.hpp"
@@ -29,6 +30,9 @@ public:
     virtual void act(const ParticleInGas& at, Response& response) = 0;
 
     virtual std::vector<Count> counts() const { return {}; }
+
+    /// What it knows of steps before: its counts, as a rule.
+    virtual void keep(Archive&) {}
 };
 
 }  // namespace interphase

@@ -42,6 +42,16 @@ const double* ExchangeAccount::book(const double* sums, bool particles_left)
     return sums + 5 * components_;
 }
 
+void ExchangeAccount::keep(Archive& archive)
+{
+    const auto count = static_cast<std::size_t>(components_);
+    archive.keep("given", given_.data(), count);
+    archive.keep("taken", taken_.data(), count);
+    archive.keep("owed", owed_.data(), count);
+    archive.keep("carried_off", carried_off_.data(), count);
+    archive.keep("exchanged", exchanged_);
+}
+
 double ExchangeAccount::residual() const
 {
     return exchanged_ > 0 ? (given_ - (taken_ + carried_off_ - owed_)).norm() / exchanged_ : 0.0;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "base/communicator.hpp"
 
 namespace interphase {
@@ -28,6 +29,8 @@ public:
     virtual void hand_in(Scalars& numbers) const = 0;
     /// Books their sums, and clears the step. Returns what follows them.
     virtual const double* book(const double* sums, bool particles_left) = 0;
+
+    virtual void keep(Archive& archive) = 0;
 
 private:
     std::string key_, sides_, relative_to_;
@@ -56,6 +59,8 @@ public:
     void hand_in(Scalars& numbers) const override;
     const double* book(const double* sums, bool particles_left) override;
 
+    void keep(Archive& archive) override;
+
 private:
     void clear();
 
@@ -79,6 +84,8 @@ public:
     void hand_in(Scalars& numbers) const override;
     const double* book(const double* sums, bool particles_left) override;
 
+    void keep(Archive& archive) override { archive.keep("residual", residual_); }
+
 private:
     double residual_ = 0;
 };
@@ -97,6 +104,12 @@ public:
 
     void hand_in(Scalars& numbers) const override;
     const double* book(const double* sums, bool particles_left) override;
+
+    void keep(Archive& archive) override
+    {
+        archive.keep("expected", expected_);
+        archive.keep("residual", residual_);
+    }
 
 private:
     std::optional<double> expected_;  ///< by the boundary's side
@@ -117,6 +130,12 @@ public:
     /// Books the step that the accounts were told. `particles_left`: whether particles were removed during it; what the
     /// gas gave to them counts as carried off. Collective.
     void book(bool particles_left);
+
+    void keep(Archive& archive)
+    {
+        for (Account* account : all())
+            archive.keep(account->key(), *account);
+    }
 
 private:
     std::vector<Account*> all() { return {&momentum, &solid_volume, &gas_volume}; }

@@ -15,23 +15,31 @@ Reaction reaction_of(const ParticleInGas& at, const Response& response, double d
     const AssumedDrag drag = assume_drag(m, k, at.held, at.gravity, dt, answered(m, added, of_motion));
     const double stiff = doubt > 0 ? stiffening(k, m, doubt, dt, added) : 0.0;
     const double taken = 1 - drag.following;  // of every force of the gas, by the particle
-    const double per_acceleration = taken * response.gas_mass / dt;
 
     Reaction reaction;
-    reaction.rate = drag.kappa + stiff + per_acceleration;
+    reaction.rate = drag.kappa + stiff;
     // the part of the force that does not wait for the gas solve
-    set(reaction.source, drag.kappa * at.velocity + stiff * at.gas_velocity + (drag.carried - owed) / dt +
-                             per_acceleration * at.gas_velocity - taken * response.force);
+    Vector source = drag.kappa * at.velocity + stiff * at.gas_velocity + (drag.carried - owed) / dt;
+    source -= taken * response.force;
     reaction.following = drag.following * response.pressed_volume + (at.volume - response.pressed_volume);
 
     const double share =
         motion == Motion::by_new_forces ? -(1 - at.held) * std::expm1(-x) : (1.0 - at.held) * of_motion.withheld;
     const double moving = share * at.volume, per_rate = k > 0 ? 1.0 / k : 0.0;
-    const double by_acceleration = moving * per_rate * response.gas_mass / dt;
-    reaction.moving = moving + by_acceleration;
+    reaction.moving = moving;
     reaction.mobility = moving * response.pressed_volume * per_rate;
-    set(reaction.flux, (at.volume - moving) * at.velocity + moving * m * per_rate * at.gravity +
-                           moving * per_rate * response.force - by_acceleration * at.gas_velocity);
+    Vector flux = (at.volume - moving) * at.velocity + moving * m * per_rate * at.gravity;
+    flux += moving * per_rate * response.force;
+
+    if (response.gas_mass > 0) {  // a force that grows with the change of the gas velocity
+        const double per_change = response.gas_mass / dt;
+        reaction.rate += taken * per_change;
+        source += taken * per_change * at.gas_velocity;
+        reaction.moving += moving * per_rate * per_change;
+        flux -= moving * per_rate * per_change * at.gas_velocity;
+    }
+    set(reaction.source, source);
+    set(reaction.flux, flux);
     return reaction;
 }
 

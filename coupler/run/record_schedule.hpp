@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/archive.hpp"
+
 namespace interphase {
 
 /// When something is due that is recorded at even intervals: at the step nearest to each multiple of the interval,
@@ -19,6 +21,8 @@ public:
         while (next_ < now + 0.5 * step)
             next_ += interval_;
     }
+
+    void keep(Archive& archive) { archive.keep("next", next_); }
 
 private:
     double interval_, next_;

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "base/archive.hpp"
 #include "base/vector.hpp"
 
 namespace interphase {
@@ -42,6 +43,21 @@ public:
     double unevenness() const;
     /// The usual (root mean square) swing before it began to grow, over some 100 steps [unit of the values].
     double background() const { return background_; }
+
+    void keep(Archive& archive)
+    {
+        archive.keep("values", values_.data(), 3 * window);
+        archive.keep("known", known_);
+        archive.keep("amplitude", amplitude_);
+        archive.keep("purity", purity_);
+        archive.keep("persistence", persistence_);
+        archive.keep("swing", swing_.data(), 3);
+        archive.keep("swings", swings_);
+        archive.keep("mean_square", mean_square_);
+        archive.keep("mean_of", mean_of_);
+        archive.keep("growing", growing_);
+        archive.keep("background", background_);
+    }
 
 private:
     void look_back();

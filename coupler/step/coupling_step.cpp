@@ -354,4 +354,17 @@ std::size_t CouplingStep::bytes_sent() const
     return owner_cell_search_.bytes_sent() + owner_exchange_.bytes_sent() + mapping_.bytes_sent();
 }
 
+void CouplingStep::keep(Archive& archive)
+{
+    archive.keep("forces", forces_);
+    archive.keep("ledger", ledger_);
+    archive.keep("watch", watch_);
+    archive.keep("losses", losses_);
+    if (stress_) archive.keep("stress", *stress_);
+    archive.keep("gas_volume", gas_volume_);
+    archive.keep("inspected", inspected_);
+    archive.keep("outside", outside_);
+    archive.keep("relieved", relieved_);
+}
+
 }  // namespace interphase

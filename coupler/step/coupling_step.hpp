@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "base/stopwatch.hpp"
 #include "exchange/owner_cell_search.hpp"
 #include "exchange/owner_exchange.hpp"
@@ -62,6 +63,10 @@ public:
 
     /// Collective.
     Interventions interventions() const;
+
+    /// What the next step needs of those before, beside what gas and particles have: with it a run goes on as if it had
+    /// not been interrupted.
+    void keep(Archive& archive);
 
     /// Bytes that this rank has sent to others in the exchange of particle and cell data so far.
     std::size_t bytes_sent() const;

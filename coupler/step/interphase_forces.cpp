@@ -244,4 +244,14 @@ std::vector<Count> InterphaseForces::counts() const
     return all;
 }
 
+void InterphaseForces::keep(Archive& archive)
+{
+    archive.keep("hold", hold_);
+    archive.keep("pressure_gradient", pressure_gradient_);
+    archive.keep("fastest_relaxation", fastest_relaxation_);
+    archive.keep("drag", drag_);
+    for (std::size_t i = 0; i < terms_.size(); ++i)
+        archive.keep("term" + std::to_string(i), *terms_[i]);
+}
+
 }  // namespace interphase

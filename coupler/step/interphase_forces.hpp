@@ -4,6 +4,7 @@
 #include <cfloat>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "forces/drag/drag.hpp"
 #include "forces/terms.hpp"
 #include "mapping/mapping.hpp"
@@ -51,6 +52,8 @@ public:
 
     /// What the terms have counted, on this rank.
     std::vector<Count> counts() const;
+
+    void keep(Archive& archive);
 
 private:
     /// The gas where a particle is, before it is solved; and what steps that are long ask for besides.

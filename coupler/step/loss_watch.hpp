@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/archive.hpp"
 #include "base/communicator.hpp"
 #include "step/solids.hpp"
 
@@ -19,6 +20,8 @@ public:
     /// After it: whether there are fewer. Throws a UserError if so, unless the scene removes some on purpose.
     /// Collective.
     bool particles_left(const ParticleView& particles, bool may_be_removed);
+
+    void keep(Archive& archive) { archive.keep("count", count_); }
 
 private:
     void refuse(const ParticleView& particles, long lost) const;

@@ -227,4 +227,25 @@ std::optional<Problem> StabilityWatch::too_far(const StepState& state, double li
                    moment(state, "in a gas step")};
 }
 
+void StabilityWatch::keep(Archive& archive)
+{
+    archive.keep("counts", counts_);
+    archive.keep("gradient", gradient_);
+    archive.keep("velocity", velocity_);
+    archive.keep("duration", duration_);
+    archive.keep("mass", mass_);
+    archive.keep("usual_speed", usual_speed_);
+    archive.keep("speed", speed_);
+    archive.keep("accelerating", accelerating_);
+    archive.keep("gas_speed_before", gas_speed_before_);
+    archive.keep("speed_before", speed_before_);
+    archive.keep("in_doubt", in_doubt_);
+    archive.keep("told_of_this_step", told_of_this_step_);
+    archive.keep("calm_steps", calm_steps_);
+    archive.keep("patience", patience_);
+    archive.keep("longest_calm", longest_calm_);
+    archive.keep("longest_within_cells", longest_within_cells_);
+    archive.keep("doubted_step", doubted_step_);
+}
+
 }  // namespace interphase

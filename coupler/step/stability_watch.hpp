@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "base/archive.hpp"
 #include "base/problem.hpp"
 #include "step/alternation.hpp"
 #include "step/step_state.hpp"
@@ -98,6 +99,8 @@ public:
 
     const StabilityCounts& counts() const { return counts_; }
 
+    void keep(Archive& archive);
+
 private:
     struct Trouble {
         Stability stability = Stability::calm;
@@ -107,6 +110,12 @@ private:
     struct Watched {
         Alternation series;
         int large = 0;  ///< steps on end with a large amplitude
+
+        void keep(Archive& archive)
+        {
+            archive.keep("series", series);
+            archive.keep("large", large);
+        }
     };
     struct Yardstick {
         double scale;       ///< what physics gives [unit]

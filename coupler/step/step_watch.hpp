@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "base/archive.hpp"
 #include "base/communicator.hpp"
 #include "step/gas.hpp"
 #include "step/interphase_forces.hpp"
@@ -35,6 +36,12 @@ public:
     const std::string& news() const { return news_; }
     double longest_step() const { return watch_.longest_step(); }  ///< that the next should have [s]
     const StabilityCounts& counts() const { return watch_.counts(); }
+
+    void keep(Archive& archive)
+    {
+        archive.keep("stability", watch_);
+        archive.keep("time", time_);
+    }
 
 private:
     StepState state_of_step(InterphaseForces& forces, const Scalars& voidage, const Scalars& solid_volume, double dt);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "base/communicator.hpp"
 #include "mapping/mapping.hpp"
 #include "plugin/solid_stress.hpp"
@@ -43,6 +44,13 @@ public:
     /// Particles of this rank for which the gas step was too long, likewise; and the step that none of any rank would
     /// have found too long in the last one.
     const StepTooLong& step_too_long() const { return step_too_long_; }
+
+    void keep(Archive& archive)
+    {
+        archive.keep("started", started_);
+        archive.keep("cells_overpacked", cells_overpacked_);
+        archive.keep("step_too_long", step_too_long_);
+    }
 
 private:
     void look_for_overpacked_cells(const Scalars& solid_volume);

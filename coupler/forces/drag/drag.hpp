@@ -23,6 +23,8 @@ public:
         return {{"beyond_drag_range", "particles beyond the drag law's range", beyond_range_}};
     }
 
+    void keep(Archive& archive) override { archive.keep("beyond_range", beyond_range_); }
+
 private:
     /// What a law may ask for beside voidage and Reynolds number.
     DragState asked_for(const ParticleInGas& at) const;

@@ -28,6 +28,8 @@ public:
         return {{"beyond_lift_range", "particles beyond the lift law's range", beyond_range_}};
     }
 
+    void keep(Archive& archive) override { archive.keep("beyond_range", beyond_range_); }
+
 private:
     long beyond_range_ = 0;
 };
