@@ -87,7 +87,7 @@ INTERPHASE_INLINE Vector cross(const Vector& a, const Vector& b) { return a.cros
 template <class D>
 INTERPHASE_INLINE D if_negative(const D& value, const D& yes, const D& no)
 {
-    using Bits = decltype(value < value);
+    using Bits = decltype(value < value);             // NOLINT(misc-redundant-expression): only its type
     const Bits negative = (Bits)(value + 0.0) >> 63;  // the sign of a zero does not count
     return (D)(((Bits)yes & negative) | ((Bits)no & ~negative));
 }
