@@ -61,7 +61,7 @@ class SpoiledCase(support.ProgramTest):
             with self.subTest(ranks=count):
                 folder = self.copied((good or self.good)[count], f"spoiled{count}")
                 patterns = spoil(folder) or ()
-                done = support.execute(folder, count, timeout=60)
+                done = support.execute(folder, count, timeout=200)
                 message = self.stopped(done, *expected, *patterns)
                 self.assertNotIn("Reached t =", done.text)
                 self.assert_nothing_moved(done)
@@ -316,7 +316,7 @@ class DuringTheRun(SpoiledCase):
             with self.subTest(ranks=count):
                 folder = self.copied(self.good[count], f"spoiled{count}")
                 spoil(folder)
-                done = support.execute(folder, count, timeout=60)
+                done = support.execute(folder, count, timeout=200)
                 message = self.stopped(done, *expected, r"t = 0\.\d+ s to 0\.\d+ s")
                 with done.results() as file:
                     ledger = file["/ledger"]

@@ -52,8 +52,9 @@ void Drag::act(const ParticleInGas& at, Response& response)
     };
     const double inertia = at.mass + response.added_mass;
     const auto acceleration = [&] {
-        const Vector by_forces = response.force - response.pressed_volume * at.pressure_gradient;
-        return Vector((1 - at.held) * (at.mass / inertia) * (at.gravity + by_forces / at.mass));
+        const Vector by_pressure = response.pressed_volume / at.mass * at.pressure_gradient;
+        const Vector all = at.gravity - by_pressure + response.force / at.mass;
+        return Vector((1 - at.held) * (at.mass / inertia) * all);
     };
     response.rate += rate_over_step(rate_of, slip, inertia, acceleration, at.duration);
 }
