@@ -14,9 +14,10 @@ Population counted(const Communicator& comm, const ParticleView& particles)
 {
     constexpr double huge = std::numeric_limits<double>::max();
     Population mine{static_cast<long>(particles.size()), 0, huge, 0, huge, 0};
+    RealDiameter real_diameter;
     for (std::size_t i = 0; i < particles.size(); ++i) {
         const double weight = particles.weight[i];
-        const double diameter = 2 * particles.radius[static_cast<Eigen::Index>(i)] / std::cbrt(weight);
+        const double diameter = real_diameter(particles.radius[static_cast<Eigen::Index>(i)], weight);
         mine.real += weight;
         mine.lowest_weight = std::min(mine.lowest_weight, weight);
         mine.highest_weight = std::max(mine.highest_weight, weight);

@@ -92,20 +92,16 @@ void CouplingStep::bring_particles_to_their_cells()
     if (settings_.two_way) travellers.owed.resize(travelling);
     if (asks_for_restraint()) travellers.restraint.resize(travelling);
     if (stress_) travellers.momentum.resize(travelling);
-    double weight = 1, per_real = 1;  // of the last one, which most share: a cube root is dear
+    RealDiameter real_diameter;
     starts_.resize(n);
     for (std::size_t t = 0; t < travelling; ++t) {
         const std::size_t i = owner_exchange_.order()[t];
         const auto column = static_cast<Eigen::Index>(i);
         starts_[i] = starting_velocity(particles, i);
-        if (particles.weight[i] != weight) {
-            weight = particles.weight[i];
-            per_real = 1.0 / std::cbrt(weight);
-        }
         Visitor& visitor = travellers.visitor[t];
         set(visitor.position, particles.position.col(column));
         set(visitor.velocity, starts_[i]);
-        visitor.diameter = 2 * particles.radius[column] * per_real;
+        visitor.diameter = real_diameter(particles.radius[column], particles.weight[i]);
         visitor.volume = sphere_volume(particles.radius[column]);
         visitor.mass = particles.mass[column];
         if (settings_.two_way) travellers.owed[t] = owed_to(particles, i);

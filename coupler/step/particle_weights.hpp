@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 
 namespace interphase {
@@ -23,6 +24,23 @@ private:
     bool differ_;
     double same_;
     const double* own_;
+};
+
+/// The diameter of the real particle, 2 r W^(-1/3), of spheres one after the other: a cube root is dear, and most share
+/// their weight.
+class RealDiameter {
+public:
+    double operator()(double radius, double weight)
+    {
+        if (weight != weight_) {
+            weight_ = weight;
+            per_tracked_ = 1.0 / std::cbrt(weight);
+        }
+        return 2 * radius * per_tracked_;
+    }
+
+private:
+    double weight_ = 1, per_tracked_ = 1;
 };
 
 }  // namespace interphase

@@ -191,6 +191,8 @@ public:
     }
     Scalars velocities() const { return gas_->velocity(); }
     Scalars pressure_gradients() const { return gas_->pressure_gradient(); }
+    Scalars velocity_gradients() const { return gas_->velocity_gradient(); }
+    Scalars viscous_forces() const { return gas_->viscous_force(); }
     Scalars gradient(const Scalars& of_cells) const { return gas_->gradient(of_cells); }
     Scalars stretching(const Scalars& flow) const { return gas_->stretching(flow); }
     Scalars outflows() const { return gas_->outflow(); }

@@ -56,6 +56,46 @@ void expect_second_order(double drag)
     EXPECT_LT(errors.back(), 1e-3);
 }
 
+/// What interphase terms ask for besides: of the vortices, div tau = -2 mu k^2 u, and du_x/dx = k cos(kx) cos(ky).
+std::pair<double, double> errors_of_what_terms_see(int cells)
+{
+    Scene scene;
+    scene.size = {1, 1, 0.1};
+    scene.cells = {cells, cells, 1};
+    scene.sides = {periodic, periodic, unresolved};
+    scene.density = density;
+    scene.viscosity = viscosity;
+    scene.velocity = vortices;
+    GasCase gas(scene);
+    const Scalars force = gas.viscous_forces(), gradient = gas.velocity_gradients();
+    const Scalars u = gas.sampled(VectorField(vortices));
+    const Scalars slope =
+        gas.sampled(ScalarField([](const Vector& x) { return k * std::cos(k * x.x()) * std::cos(k * x.y()); }));
+    double of_force = 0, of_gradient = 0;
+    for (std::size_t c = 0; c < gas.cells(); ++c) {
+        for (std::size_t axis = 0; axis < 2; ++axis)
+            of_force = std::max(of_force, std::abs(force[3 * c + axis] + 2 * viscosity * k * k * u[3 * c + axis]));
+        of_gradient = std::max({of_gradient, std::abs(gradient[9 * c] - slope[c]),
+                                std::abs(gradient[9 * c + 4] + slope[c])});  // du_y/dy = -du_x/dx
+    }
+    return {of_force / (2 * viscosity * k * k), of_gradient / k};
+}
+
+TEST(TaylorGreen, ViscousForceAndVelocityGradientAreOfSecondOrder)
+{
+    std::vector<double> of_force, of_gradient;
+    for (const int cells : {16, 32, 64}) {
+        const auto [force, gradient] = errors_of_what_terms_see(cells);
+        of_force.push_back(force);
+        of_gradient.push_back(gradient);
+    }
+    for (const auto& errors : {of_force, of_gradient}) {
+        for (const double order : observed_orders(errors))
+            EXPECT_NEAR(order, 2, 0.1);
+        EXPECT_LT(errors.back(), 5e-3);  // (k dx)^2/6 = 1.6e-3, and less
+    }
+}
+
 TEST(TaylorGreen, DecaysToSecondOrder) { expect_second_order(0); }
 
 TEST(TaylorGreen, DecaysToSecondOrderWithDrag) { expect_second_order(2); }
