@@ -94,11 +94,14 @@ function(interphase_add_python_test)
     set_property(TEST ${test_NAME} APPEND PROPERTY ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
 endfunction()
 
-# The time limit ends tests in which a rank waits for another one that has failed.
+# The time limit ends tests in which a rank waits for another one that has failed; sanitizers make four ranks on two cores slow.
 function(interphase_set_test_properties name)
     cmake_parse_arguments(PARSE_ARGV 1 test "" "PROCESSORS;TIMEOUT" "LABELS")
     if(NOT test_TIMEOUT)
         set(test_TIMEOUT 120)
+        if(INTERPHASE_SANITIZE)
+            set(test_TIMEOUT 480)
+        endif()
     endif()
     if(NOT test_PROCESSORS)
         set(test_PROCESSORS 1)
