@@ -17,8 +17,7 @@ Vector vortices(const Vector& x)
     return {std::sin(k * x.x()) * std::cos(k * x.y()), -std::cos(k * x.x()) * std::sin(k * x.y()), 0};
 }
 
-/// Root mean square of the velocity error, relative to that of the exact velocity.
-double error(int cells, double drag)
+Scene of_vortices(int cells)
 {
     Scene scene;
     scene.size = {1, 1, 0.1};
@@ -26,11 +25,18 @@ double error(int cells, double drag)
     scene.sides = {periodic, periodic, unresolved};
     scene.density = density;
     scene.viscosity = viscosity;
+    scene.velocity = vortices;
+    return scene;
+}
+
+/// Root mean square of the velocity error, relative to that of the exact velocity.
+double error(int cells, double drag)
+{
+    Scene scene = of_vortices(cells);
     const int steps = cells;  // Courant number 0.25 at the start
     scene.gas_step = duration / steps;
     scene.time_scheme = "backward";
     scene.pressure_tolerance = 1e-9;
-    scene.velocity = vortices;
 
     GasCase gas(scene);
     const Scalars eps(gas.cells(), voidage), rate(gas.cells(), drag), no_source(3 * gas.cells(), 0.0);
@@ -59,14 +65,7 @@ void expect_second_order(double drag)
 /// What interphase terms ask for besides: of the vortices, div tau = -2 mu k^2 u, and du_x/dx = k cos(kx) cos(ky).
 std::pair<double, double> errors_of_what_terms_see(int cells)
 {
-    Scene scene;
-    scene.size = {1, 1, 0.1};
-    scene.cells = {cells, cells, 1};
-    scene.sides = {periodic, periodic, unresolved};
-    scene.density = density;
-    scene.viscosity = viscosity;
-    scene.velocity = vortices;
-    GasCase gas(scene);
+    GasCase gas(of_vortices(cells));
     const Scalars force = gas.viscous_forces(), gradient = gas.velocity_gradients();
     const Scalars u = gas.sampled(VectorField(vortices));
     const Scalars slope =
