@@ -116,7 +116,9 @@ void InterphaseForces::look_at(const Visitors& visitors, std::size_t i, Particle
     at.diameter = visitor.diameter;
     at.volume = visitor.volume;
     at.mass = visitor.mass;
-    at.cell_extent = gas_.mesh().extent[static_cast<std::size_t>(visitors.cell[i])];
+    const auto cell = static_cast<std::size_t>(visitors.cell[i]);
+    at.cell_extent = gas_.mesh().extent[cell];
+    at.cell_volume = gas_.mesh().volume[cell];
     if (needs_.mean_diameter) at.mean_diameter = mean_diameters_[i];
 
     at.voidage = here_[i].voidage;

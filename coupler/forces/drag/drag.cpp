@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "forces/drag/cluster_length.hpp"
 #include "forces/drag/rate_over_step.hpp"
 
 namespace interphase {
@@ -26,8 +25,8 @@ DragState Drag::asked_for(const ParticleInGas& at) const
             break;
         case DragLooksAt::cell_size:
             state.filter_size =
-                std::cbrt(at.cell_extent.prod()) /
-                cluster_length(at.diameter, at.mass / at.volume, at.density, at.viscosity, at.gravity.norm());
+                std::cbrt(at.cell_volume) /
+                cluster_length_(at.diameter, at.mass / at.volume, at.density, at.viscosity, at.gravity.norm());
             break;
     }
     return state;

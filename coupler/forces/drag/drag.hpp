@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "forces/drag/cluster_length.hpp"
 #include "forces/drag/drag_law.hpp"
 #include "forces/term.hpp"
 
@@ -30,6 +31,7 @@ private:
     DragState asked_for(const ParticleInGas& at) const;
 
     const DragLaw& law_;
+    mutable ClusterLength cluster_length_;
     long beyond_range_ = 0;
 };
 

@@ -71,6 +71,14 @@ TEST(ClusterLength, IsInfiniteWhereNothingFalls)
     EXPECT_TRUE(std::isinf(cluster_length(75e-6, 1000, 1000, 1e-3, 9.81)));
 }
 
+TEST(ClusterLength, OfSpheresOneAfterTheOtherIsThatOfEach)
+{
+    ClusterLength of;
+    for (const double d : {75e-6, 75e-6, 150e-6, 75e-6})
+        for (const double density : {1500.0, 2500.0})
+            EXPECT_EQ(of(d, density, 1.3, 1.8e-5, 9.81), cluster_length(d, density, 1.3, 1.8e-5, 9.81));
+}
+
 TEST(RadlSundaresan, IsBeetstraInCellsThatResolveClusters)
 {
     for (const double phi : {0.01, 0.2, 0.5}) {
