@@ -28,8 +28,6 @@ public:
         return archive;
     }
 
-    bool loads() const { return loads_; }
-
     /// A number or any other trivially copyable object, a vector of such, or an object that has keep(Archive&). Throws
     /// a std::runtime_error where it gives back and has no such name, or one of another size.
     template <class Object>

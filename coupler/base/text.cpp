@@ -53,6 +53,11 @@ std::string nearest_name(const std::string& word, const std::vector<std::string>
     return best;
 }
 
+bool is_among(const std::string& name, const std::vector<std::string>& names)
+{
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 std::string listed(const std::vector<std::string>& names)
 {
     std::string all;

@@ -18,6 +18,8 @@ std::string text(const Vector& value);
 /// nearer than half the word's length.
 std::string nearest_name(const std::string& word, const std::vector<std::string>& names);
 
+bool is_among(const std::string& name, const std::vector<std::string>& names);
+
 /// "a, b, c".
 std::string listed(const std::vector<std::string>& names);
 

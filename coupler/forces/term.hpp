@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "base/archive.hpp"
+#include "base/count.hpp"
 #include "forces/needs.hpp"
 #include "forces/particle_in_gas.hpp"
 #include "forces/response.hpp"
 
 namespace interphase {
-
-/// Something that was counted on this rank since the start, and is told: a range that was left, a clamp.
-struct Count {
-    std::string key;   ///< as records name it
-    std::string text;  ///< as the summary does
-    long number = 0;
-};
 
 /// An interphase term: one part of what the gas does to the particles.
 class Term {
@@ -29,6 +22,7 @@ public:
     /// on what the others do, is the last.
     virtual void act(const ParticleInGas& at, Response& response) = 0;
 
+    /// Of this rank.
     virtual std::vector<Count> counts() const { return {}; }
 
     /// What it knows of steps before: its counts, as a rule.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forces/terms.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
+#include "base/text.hpp"
 #include "forces/saffman_mei_lift/saffman_mei_lift.hpp"
 #include "forces/virtual_mass/virtual_mass.hpp"
 #include "forces/viscous_stress/viscous_stress.hpp"
@@ -40,14 +40,11 @@ std::vector<std::string> names_of_optional_terms()
 
 Terms make_terms(const std::vector<std::string>& names)
 {
+    for (const std::string& name : names)
+        if (!is_among(name, names_of_optional_terms())) throw std::out_of_range("no interphase term is called " + name);
     Terms terms;
     for (const OptionalTerm& term : optional_terms())
-        if (std::find(names.begin(), names.end(), term.name) != names.end()) terms.push_back(term.make());
-    for (const std::string& name : names) {
-        const auto known = names_of_optional_terms();
-        if (std::find(known.begin(), known.end(), name) == known.end())
-            throw std::out_of_range("no interphase term is called " + name);
-    }
+        if (is_among(std::string(term.name), names)) terms.push_back(term.make());
     return terms;
 }
 

@@ -13,7 +13,7 @@ Reaction reaction_of(const ParticleInGas& at, const Response& response, double d
     const double x = k * dt / (m + added);
     const Shares of_motion = shares(x);
     const AssumedDrag drag = assume_drag(m, k, at.held, at.gravity, dt, answered(m, added, of_motion));
-    const double stiff = doubt > 0 ? stiffening(k, m, doubt, dt, added) : 0.0;
+    const double stiff = stiffening(k, m, doubt, dt, added);
     const double taken = 1 - drag.following;  // of every force of the gas, by the particle
 
     Reaction reaction;

@@ -168,23 +168,11 @@ void CoupledRun::step()
     stopwatch_.switch_to(Phase::output);
     if (coupling_ && !coupling_->news().empty()) report_.warn(coupling_->news());
     if (coupling_ && settings_.two_way) {
-        const Interventions counts = coupling_->interventions();
         std::vector<Results::Entry> row{{"time", "s", case_.time()}};
         for (const Account* account : coupling_->ledger().accounts())
             row.push_back({account->key() + "_residual", "1", account->residual()});
-        row.insert(row.end(), {{"steps_alternating", "1", static_cast<double>(counts.stability.alternating)},
-                               {"steps_accelerating", "1", static_cast<double>(counts.stability.accelerating)},
-                               {"steps_across_cells", "1", static_cast<double>(counts.stability.crossing)},
-                               {"steps_outrun_by_waves", "1", static_cast<double>(counts.stability.outrun)},
-                               {"cells_relieved", "1", static_cast<double>(counts.cells_relieved)},
-                               {"particles_outside_mesh", "1", static_cast<double>(counts.outside_mesh)}});
-        for (const Count& count : counts.of_terms)
+        for (const Count& count : coupling_->counts())
             row.push_back({count.key, "1", static_cast<double>(count.number)});
-        if (coupling_->has_solid_stress())
-            row.insert(row.end(),
-                       {{"cells_beyond_close_packing", "1", static_cast<double>(counts.cells_overpacked)},
-                        {"step_crosses_cells", "1", static_cast<double>(counts.step_too_long.crossing_cells)},
-                        {"step_beyond_relaxation", "1", static_cast<double>(counts.step_too_long.beyond_relaxation)}});
         results_->add_row("/ledger", row);
     }
     record(false);
@@ -218,15 +206,14 @@ void CoupledRun::record(bool at_start)
 void CoupledRun::finish()
 {
     stopwatch_.switch_to(Phase::output);
-    Report::Summary summary{case_.time(), {}, {}, {}, false};
+    Report::Summary summary{case_.time(), {}, {}, {}};
     for (std::size_t phase = 0; phase < phase_names.size(); ++phase) {
         summary.seconds[phase] = comm_.max(stopwatch_.seconds(static_cast<Phase>(phase)));
         results_->describe("/timing", std::string(phase_names[phase]), summary.seconds[phase]);
     }
     if (coupling_) {
         if (settings_.two_way) summary.balances = coupling_->ledger().accounts();
-        summary.interventions = coupling_->interventions();
-        summary.has_solid_stress = coupling_->has_solid_stress();
+        summary.counts = coupling_->counts();
         const auto sent = static_cast<double>(coupling_->bytes_sent());
         results_->describe("/exchange", "bytes_sent_by_busiest_rank", comm_.max(sent));
         results_->describe("/exchange", "bytes_sent", comm_.sum(sent));

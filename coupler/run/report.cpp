@@ -77,27 +77,9 @@ void Report::summary(const Summary& of) const
     for (const Account* account : of.balances)
         std::printf("    %s  %.1e %s\n", account->sides().c_str(), account->residual(), account->relative_to().c_str());
 
-    const auto count = [](const std::string& what, long number) {
-        std::printf("    %-38s %ld\n", what.c_str(), number);
-    };
-    std::printf("\n  counted\n");
-    count("cells relieved at the packing limit", of.interventions.cells_relieved);
-    count("particles without a gas cell", of.interventions.outside_mesh);
-    for (const Count& counted : of.interventions.of_terms)
-        count(counted.text, counted.number);
-    if (!of.balances.empty()) {
-        const StabilityCounts& steps = of.interventions.stability;
-        count("gas steps that alternate", steps.alternating);
-        count("gas steps of particles beyond reason", steps.accelerating);
-        count("gas steps that cross a cell", steps.crossing);
-        count("gas steps that waves outrun", steps.outrun);
-    }
-    if (of.has_solid_stress) {
-        const StepTooLong& too_long = of.interventions.step_too_long;
-        count("cells beyond close packing", of.interventions.cells_overpacked);
-        count("steps too long for a particle's cell", too_long.crossing_cells);
-        count("steps beyond a relaxation time", too_long.beyond_relaxation);
-    }
+    if (!of.counts.empty()) std::printf("\n  counted\n");
+    for (const Count& count : of.counts)
+        std::printf("    %-38s %ld\n", count.text.c_str(), count.number);
     std::fflush(stdout);
 }
 

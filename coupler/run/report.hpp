@@ -29,8 +29,7 @@ public:
         double simulated_time;
         std::array<double, phase_names.size()> seconds;  ///< the slowest rank's, phase by phase
         std::vector<const Account*> balances;            ///< of a run in which the particles act on the gas
-        Interventions interventions;
-        bool has_solid_stress = false;
+        std::vector<Count> counts;
     };
     void summary(const Summary& of) const;
 

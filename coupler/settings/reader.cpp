@@ -9,11 +9,6 @@ namespace interphase {
 
 namespace {
 
-bool is_among(const std::string& name, const std::vector<std::string>& names)
-{
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 std::string alternatives(const std::vector<std::string>& names)
 {
     std::string all;

@@ -230,18 +230,22 @@ void CouplingStep::book()
     ledger_.book(particles_left);
 }
 
-Interventions CouplingStep::interventions() const
+std::vector<Count> CouplingStep::counts() const
 {
-    std::vector<Count> of_terms = forces_.counts();
-    for (Count& count : of_terms)
-        count.number = comm_.sum(count.number);
-    const StepTooLong too_long = stress_ ? stress_->step_too_long() : StepTooLong{};
-    return {comm_.sum(relieved_),
-            comm_.sum(outside_),
-            of_terms,
-            comm_.sum(stress_ ? stress_->cells_overpacked() : 0L),
-            {comm_.sum(too_long.crossing_cells), comm_.sum(too_long.beyond_relaxation)},
-            watch_.counts()};
+    std::vector<Count> all{{"cells_relieved", "cells relieved at the packing limit", relieved_},
+                           {"particles_outside_mesh", "particles without a gas cell", outside_}};
+    const auto add = [&all](const std::vector<Count>& more) { all.insert(all.end(), more.begin(), more.end()); };
+    add(forces_.counts());
+    if (settings_.two_way) add(watch_.counts());
+    if (stress_) add(stress_->counts());
+
+    Scalars numbers;
+    for (const Count& count : all)
+        numbers.push_back(static_cast<double>(count.number));
+    comm_.sum(numbers);
+    for (std::size_t n = 0; n < all.size(); ++n)
+        all[n].number = std::lround(numbers[n]);
+    return all;
 }
 
 std::size_t CouplingStep::bytes_sent() const

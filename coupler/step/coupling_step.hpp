@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/archive.hpp"
+#include "base/count.hpp"
 #include "base/stopwatch.hpp"
 #include "exchange/owner_cell_search.hpp"
 #include "exchange/owner_exchange.hpp"
@@ -22,19 +23,6 @@
 #include "step/stress_exchange.hpp"
 
 namespace interphase {
-
-/// Interventions so far, on all ranks.
-struct Interventions {
-    long cells_relieved = 0;      ///< cells above the packing limit, cell by cell and step by step
-    long outside_mesh = 0;        ///< particles without a gas cell, particle by particle and step by step
-    std::vector<Count> of_terms;  ///< what interphase terms have counted
-
-    // of a model with solid stress
-    long cells_overpacked = 0;  ///< cells beyond its close packing, cell by cell and step by step
-    StepTooLong step_too_long;  ///< particle by particle and step by step
-
-    StabilityCounts stability;  ///< gas steps
-};
 
 /// One lockstep of gas and particles.
 class CouplingStep {
@@ -51,18 +39,15 @@ public:
 
     const Ledger& ledger() const { return ledger_; }
     const Scalars& voidage() const { return voidage_; }
-    bool has_solid_stress() const { return stress_.has_value(); }
     /// What the next gas step should not exceed, the same on all ranks [s]: what the solid stress bore in the last one
     /// (eq. 28 of the paper), and what the stability watch asks for.
-    double longest_step() const
-    {
-        return std::min(stress_ ? stress_->step_too_long().longest : DBL_MAX, watch_.longest_step());
-    }
+    double longest_step() const { return std::min(stress_ ? stress_->longest_step() : DBL_MAX, watch_.longest_step()); }
     /// What the watch on stability has to tell of the last gas step; empty where there is nothing new.
     const std::string& news() const { return watch_.news(); }
 
-    /// Collective.
-    Interventions interventions() const;
+    /// What was clamped, left a range or was told so far, on all ranks: cells cell by cell and particles particle by
+    /// particle, step by step. Collective.
+    std::vector<Count> counts() const;
 
     /// What the next step needs of those before, beside what gas and particles have: with it a run goes on as if it had
     /// not been interrupted.

@@ -143,6 +143,15 @@ void StepWatch::observe(InterphaseForces& forces, const Scalars& voidage, const 
     news_ = finding.message();
 }
 
+std::vector<Count> StepWatch::counts() const
+{
+    const StabilityCounts steps = comm_.is_master() ? watch_.counts() : StabilityCounts{};
+    return {{"steps_alternating", "gas steps that alternate", steps.alternating},
+            {"steps_accelerating", "gas steps of particles beyond reason", steps.accelerating},
+            {"steps_across_cells", "gas steps that cross a cell", steps.crossing},
+            {"steps_outrun_by_waves", "gas steps that waves outrun", steps.outrun}};
+}
+
 void StepWatch::refuse_impossible_flight(double solid_step) const
 {
     const ParticleView particles = solids_.particles();

@@ -120,6 +120,13 @@ void StressExchange::begin(const std::vector<Answer>& answers, const std::vector
     step_too_long_.longest = comm_.min(found.longest);
 }
 
+std::vector<Count> StressExchange::counts() const
+{
+    return {{"cells_beyond_close_packing", "cells beyond close packing", cells_overpacked_},
+            {"step_crosses_cells", "steps too long for a particle's cell", step_too_long_.crossing_cells},
+            {"step_beyond_relaxation", "steps beyond a relaxation time", step_too_long_.beyond_relaxation}};
+}
+
 Vector StressExchange::returned_by_drag(std::size_t i, double mass, double solid_step) const
 {
     const StressState& state = model_.states()[i];

@@ -7,6 +7,7 @@
 
 #include "base/archive.hpp"
 #include "base/communicator.hpp"
+#include "base/count.hpp"
 #include "mapping/mapping.hpp"
 #include "plugin/solid_stress.hpp"
 #include "step/gas.hpp"
@@ -39,11 +40,11 @@ public:
     /// `solid_step` [s]: an impulse of the fluid [kg m/s].
     Vector returned_by_drag(std::size_t i, double mass, double solid_step) const;
 
-    /// Cells of this rank beyond close packing, cell by cell and step by step.
-    long cells_overpacked() const { return cells_overpacked_; }
-    /// Particles of this rank for which the gas step was too long, likewise; and the step that none of any rank would
-    /// have found too long in the last one.
-    const StepTooLong& step_too_long() const { return step_too_long_; }
+    /// Of this rank: cells beyond close packing, cell by cell, particles for which the gas step was too long, particle
+    /// by particle, step by step.
+    std::vector<Count> counts() const;
+    /// The gas step that no particle of any rank would have found too long in the last one [s].
+    double longest_step() const { return step_too_long_.longest; }
 
     void keep(Archive& archive)
     {

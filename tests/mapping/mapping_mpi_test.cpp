@@ -19,6 +19,7 @@
 namespace {
 
 using namespace interphase;
+using test::alone;
 using test::BoxMesh;
 using test::world;
 
@@ -26,12 +27,6 @@ using test::world;
 constexpr double rounding = 1e-13;
 
 constexpr double no_limit = 1e9;
-
-const Communicator& alone()
-{
-    static const Communicator comm(MPI_COMM_SELF);
-    return comm;
-}
 
 BoxMesh::Planes uniform_planes()
 {

@@ -14,6 +14,7 @@
 #include "forces/drag/drag_law.hpp"
 #include "support/fake_dictionary.hpp"
 #include "support/refused.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace {
 
@@ -27,9 +28,7 @@ class ReadSettings : public testing::Test {
 protected:
     ReadSettings()
     {
-        std::string pattern = (std::filesystem::temp_directory_path() / "read_settings.XXXXXX").string();
-        if (!mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder " + pattern);
-        folder_ = pattern;
+        folder_ = test::new_folder();
         std::ofstream(folder_ / "in.liggghts") << "units si\n";
     }
     ~ReadSettings() override { std::filesystem::remove_all(folder_); }

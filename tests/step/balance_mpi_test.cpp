@@ -15,15 +15,10 @@
 namespace {
 
 using namespace interphase;
+using test::alone;
 using test::Particle;
 using test::Scene;
 using test::world;
-
-const Communicator& alone()
-{
-    static const Communicator comm(MPI_COMM_SELF);
-    return comm;
-}
 
 /// Of the books, relative to what was exchanged: round-off of some hundred steps.
 constexpr double balance = 1e-12;
@@ -111,7 +106,7 @@ TEST(Balance, MomentumOfGasAndParticlesChangesByOutsideForcesAlone)
             ASSERT_LT(s->step.ledger().solid_volume.residual(), balance) << "step " << n;
         }
         EXPECT_GT(s->step.ledger().momentum.exchanged(), 0);
-        EXPECT_EQ(s->step.interventions().outside_mesh, 0);
+        EXPECT_EQ(s->counted("particles_outside_mesh"), 0);
     }
 }
 
@@ -127,7 +122,7 @@ TEST(Balance, HoldsWherePackedCellsHandOver)
         for (const double voidage : s->step.voidage())
             ASSERT_GE(voidage, 1 - 0.25 - 1e-8);  // the limit's own slack: 1e-9
     }
-    EXPECT_GE(s->step.interventions().cells_relieved, 50);  // in every step, and counted
+    EXPECT_GE(s->counted("cells_relieved"), 50);  // in every step, and counted
 }
 
 TEST(Balance, HoldsWhereParticlesLeaveOnPurpose)
@@ -161,7 +156,7 @@ TEST(Balance, HoldsWhereParticlesOutsideTheMeshMoveWithoutGas)
             for (std::size_t i = 0; i < s->particles.size(); ++i)
                 if (s->particles.id(i) <= 10) s->particles.set_velocity(i, {0, 0, -4.0});
     }
-    EXPECT_GT(s->step.interventions().outside_mesh, 20 * 10);
+    EXPECT_GT(s->counted("particles_outside_mesh"), 20 * 10);
 }
 
 /// Positions and velocities of all particles by id, and what the ranks saw of the gas.

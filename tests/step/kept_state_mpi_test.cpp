@@ -78,9 +78,9 @@ TEST(KeptState, LetsARunGoOnToTheLastBit)
     for (std::size_t n = 0; n < books.size(); ++n)
         EXPECT_EQ(books[n]->residual(), of_whole[n]->residual()) << books[n]->key();
     EXPECT_EQ(after->step.ledger().momentum.exchanged(), whole->step.ledger().momentum.exchanged());
-    const Interventions counts = after->step.interventions(), expected = whole->step.interventions();
-    for (std::size_t n = 0; n < counts.of_terms.size(); ++n)
-        EXPECT_EQ(counts.of_terms[n].number, expected.of_terms[n].number) << counts.of_terms[n].key;
+    const std::vector<Count> counts = after->step.counts(), expected = whole->step.counts();
+    for (std::size_t n = 0; n < counts.size(); ++n)
+        EXPECT_EQ(counts[n].number, expected[n].number) << counts[n].key;
     EXPECT_EQ(after->step.longest_step(), whole->step.longest_step());
 }
 

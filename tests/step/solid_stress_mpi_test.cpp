@@ -173,10 +173,9 @@ TEST(SolidStress, LeavesTheBooksBalancedAndCounts)
         s.advance(2);
     EXPECT_LT(s.step.ledger().momentum.residual(), 1e-12);  // round-off
     EXPECT_LT(s.step.ledger().solid_volume.residual(), 1e-12);
-    const Interventions counts = s.step.interventions();
-    EXPECT_EQ(counts.cells_overpacked, 0);
-    EXPECT_EQ(counts.step_too_long.crossing_cells, 20 * world().size());
-    EXPECT_EQ(counts.step_too_long.beyond_relaxation, 40 * world().size());
+    EXPECT_EQ(s.counted("cells_beyond_close_packing"), 0);
+    EXPECT_EQ(s.counted("step_crosses_cells"), 20 * world().size());
+    EXPECT_EQ(s.counted("step_beyond_relaxation"), 40 * world().size());
 }
 
 /// Holds every particle at rest against whatever it would do, as a stress may: half of it is enough to see it booked.

@@ -15,17 +15,12 @@
 namespace {
 
 using namespace interphase;
+using test::alone;
 using test::Particle;
 using test::Scene;
 using test::world;
 
 constexpr double cell = 0.01;
-
-const Communicator& alone()
-{
-    static const Communicator comm(MPI_COMM_SELF);
-    return comm;
-}
 
 /// Spheres of several sizes, densities and weights in a liquid; every fifth is held.
 std::vector<Particle> crowd()

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "step/coupling_step.hpp"
@@ -28,6 +30,15 @@ public:
 
     Scene(const Scene&) = delete;  // its parts refer to each other
     Scene& operator=(const Scene&) = delete;
+
+    /// What the step has counted under this name, on all ranks. Collective.
+    long counted(const std::string& key) const
+    {
+        const std::vector<Count> all = step.counts();
+        const auto found = std::find_if(all.begin(), all.end(), [&](const Count& count) { return count.key == key; });
+        if (found == all.end()) throw std::out_of_range("nothing is counted as " + key);
+        return found->number;
+    }
 
     void advance(int substeps) { step.advance(substeps * solid_step_, substeps); }
 

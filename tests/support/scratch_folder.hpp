@@ -7,6 +7,10 @@
 
 namespace interphase::test {
 
+/// A new, empty folder for files that do not last; whoever makes it removes it. std::runtime_error where none can be
+/// made.
+std::filesystem::path new_folder();
+
 /// A new folder that all ranks work in while this lives; removed with what is in it. Collective.
 class ScratchFolder {
 public:

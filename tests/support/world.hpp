@@ -12,4 +12,11 @@ inline const Communicator& world()
     return comm;
 }
 
+/// This rank by itself.
+inline const Communicator& alone()
+{
+    static const Communicator comm(MPI_COMM_SELF);
+    return comm;
+}
+
 }  // namespace interphase::test

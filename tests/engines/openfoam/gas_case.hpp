@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <mpi.h>
-#include <stdlib.h>
+#include <cstdlib>
 
 #include <array>
 #include <cmath>
@@ -18,6 +18,7 @@
 
 #include "base/user_error.hpp"
 #include "engines/openfoam/foam_case.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace interphase::testing_gas {
 
@@ -89,7 +90,7 @@ public:
     /// All of the mesh on this rank.
     explicit GasCase(const Scene& scene) : scene_(scene), start_folder_(std::filesystem::current_path())
     {
-        make_folder();
+        folder_ = test::new_folder().string();
         write_case();
         make_mesh();
         open();
@@ -104,7 +105,7 @@ public:
         MPI_Comm_rank(MPI_COMM_WORLD, &rank);
         MPI_Comm_size(MPI_COMM_WORLD, &ranks);
         if (rank == 0) {
-            make_folder();
+            folder_ = test::new_folder().string();
             write_case();
             write("system/decomposeParDict", "dictionary",
                   "numberOfSubdomains " + std::to_string(ranks) +
@@ -202,13 +203,6 @@ public:
     double pressure(std::size_t c) const { return gas_->pressure_at(centre(c)); }
 
 private:
-    void make_folder()
-    {
-        std::string pattern = (std::filesystem::temp_directory_path() / "gas_case.XXXXXX").string();
-        if (!mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder " + pattern);
-        folder_ = pattern;
-    }
-
     void make_mesh() const
     {
         if (scene_.write_mesh)
