@@ -35,6 +35,11 @@ else()
     target_link_libraries(interphase_hdf5 INTERFACE hdf5::hdf5)
 endif()
 
+find_package(OpenSSL 3 COMPONENTS Crypto QUIET)
+if(NOT TARGET OpenSSL::Crypto)
+    message(FATAL_ERROR "OpenSSL 3 (libcrypto) not found. ${_remedy}")
+endif()
+
 if(INTERPHASE_ENGINES)
     find_package(OpenFOAM REQUIRED)
     find_package(LIGGGHTS REQUIRED)

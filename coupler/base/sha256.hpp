@@ -6,7 +6,8 @@
 
 namespace interphase {
 
-/// SHA-256 (FIPS 180-4) of what is left in a stream: 64 hexadecimal digits, as the program sha256sum prints them.
+/// SHA-256 (FIPS 180-4) of what is left in a stream: 64 hexadecimal digits, as the program sha256sum prints them. By
+/// OpenSSL.
 std::string sha256(std::istream& stream);
 
 }  // namespace interphase
