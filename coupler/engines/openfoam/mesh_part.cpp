@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engines/openfoam/mesh_part.hpp"
 
+#include "engines/openfoam/mesh_faces.hpp"
 #include "indexedOctree.H"
 #include "processorPolyPatch.H"
 #include "syncTools.H"
@@ -20,6 +21,9 @@ Vector to_eigen(const Foam::point& p) { return {p.x(), p.y(), p.z()}; }
 MeshPart::MeshPart(const Foam::fvMesh& mesh) : mesh_(mesh)
 {
     measure_cells();
+    for (const Foam::point& p : mesh_.points())
+        view_.points.push_back(to_eigen(p));
+    view_.faces = mesh_faces(mesh_);
     collect_sides();
     // what a search needs OpenFOAM builds on demand, with all ranks taking part: now, not when one of them searches
     mesh_.tetBasePtIs();

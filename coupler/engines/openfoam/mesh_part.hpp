@@ -12,6 +12,7 @@ namespace interphase {
 /// This rank's part of a static OpenFOAM mesh, laid out for the coupler.
 class MeshPart : public CellLocator {
 public:
+    /// Throws a UserError for patches that mesh_faces refuses. Collective.
     explicit MeshPart(const Foam::fvMesh& mesh);
 
     const MeshView& view() const { return view_; }

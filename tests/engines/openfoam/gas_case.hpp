@@ -59,6 +59,7 @@ struct Scene {
 
     /// Writes another mesh than the box into the folder polyMesh; the gas is at rest then.
     std::function<void(const std::string&)> write_mesh;
+    std::string pair_type = "cyclic";  ///< of its patches that are called cyclic*
 };
 
 /// GoogleTest's own main does not know MPI, which the case asks for the number of its ranks.
@@ -143,6 +144,7 @@ public:
     std::size_t cells() const { return gas_->mesh().size(); }
     const Vector& centre(std::size_t c) const { return gas_->mesh().centre[c]; }
     double volume(std::size_t c) const { return gas_->mesh().volume[c]; }
+    const MeshView& mesh() const { return gas_->mesh(); }
     double time() const { return foam_->time(); }
 
     /// [n] and [n x 3] values of the cells.
@@ -309,7 +311,7 @@ private:
 
     std::string conditions(std::array<std::string, 2> Sides::*which) const
     {
-        if (scene_.write_mesh) return "\".*\" { type zeroGradient; } ";
+        if (scene_.write_mesh) return "\"cyclic.*\" { type " + scene_.pair_type + "; } sides { type zeroGradient; } ";
         std::string text;
         for (int axis = 0; axis < 3; ++axis)
             for (int side = 0; side < 2; ++side) {

@@ -28,17 +28,7 @@ class Meshes : public testing::TestWithParam<Kind> {
 protected:
     Meshes()
     {
-        // in slices along x, so that a cut goes through the slanted faces of cells
-        std::vector<double> x;
-        for (std::size_t c = 0; c < mesh_.cells.size(); ++c)
-            x.push_back(mesh_.middle(c).x());
-        std::vector<double> sorted = x;
-        std::sort(sorted.begin(), sorted.end());
-        std::vector<int> rank_of_cell;
-        for (const double of_cell : x) {
-            const auto before = std::lower_bound(sorted.begin(), sorted.end(), of_cell) - sorted.begin();
-            rank_of_cell.push_back(static_cast<int>(before * world().size() / static_cast<long>(x.size())));
-        }
+        const std::vector<int> rank_of_cell = sliced(mesh_, world().size());
         Scene scene;
         scene.write_mesh = [this](const std::string& folder) { mesh_.write(folder); };
         if (world().size() == 1)

@@ -8,7 +8,9 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
+#include <optional>
 #include <random>
 #include <string>
 #include <tuple>
@@ -19,6 +21,12 @@
 namespace interphase::testing_gas {
 
 using Polygon = std::vector<int>;  ///< numbers of points, in order around it
+
+/// Two sides of a mesh that are joined: faces whose middles `across` takes to those of others.
+struct Pair {
+    std::function<Vector(const Vector&)> across;
+    std::string entries;  ///< of both patches in the file boundary
+};
 
 /// Cells by their faces. Two cells that meet have one face in common, with the same points.
 struct PolyMesh {
@@ -49,12 +57,16 @@ struct PolyMesh {
         return farthest;
     }
 
-    /// The files points, faces, owner, neighbour and boundary, with one patch `sides`.
-    void write(const std::string& folder) const
+    /// The files points, faces, owner, neighbour and boundary: the patch `sides`, and with a `pair` the patches
+    /// `cyclicLow` and `cyclicHigh`, whose faces do not begin at the same corners.
+    void write(const std::string& folder, const std::optional<Pair>& pair = std::nullopt) const
     {
+        enum Patch { inside, sides, low, high };
         struct Face {
             Polygon polygon;
             int owner, neighbour;
+            Patch patch = sides;
+            std::size_t rank = 0;  ///< in its half of the pair
         };
         std::map<Polygon, Face> by_points;
         for (std::size_t c = 0; c < cells.size(); ++c)
@@ -72,12 +84,29 @@ struct PolyMesh {
         std::vector<Face> faces;
         for (const auto& [key, face] : by_points)
             faces.push_back(face);
+        for (Face& face : faces)
+            if (face.neighbour >= 0) face.patch = inside;
+        if (pair)
+            for (std::size_t f = 0; f < faces.size(); ++f) {
+                if (faces[f].patch == inside) continue;
+                const Vector there = pair->across(mean(faces[f].polygon));
+                const auto other = std::find_if(faces.begin(), faces.end(), [&](const Face& face) {
+                    return face.patch != inside && (mean(face.polygon) - there).norm() < 1e-9;
+                });
+                if (other == faces.end()) continue;
+                faces[f].patch = low;
+                other->patch = high;
+                faces[f].rank = other->rank = f;
+                std::rotate(other->polygon.begin(), other->polygon.begin() + 1, other->polygon.end());
+            }
         // inner faces first, by owner and neighbour: OpenFOAM's upper triangular order
         std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {
-            return std::make_tuple(a.neighbour < 0, a.owner, a.neighbour) <
-                   std::make_tuple(b.neighbour < 0, b.owner, b.neighbour);
+            return std::make_tuple(a.patch, a.rank, a.owner, a.neighbour) <
+                   std::make_tuple(b.patch, b.rank, b.owner, b.neighbour);
         });
-        const auto inner = std::count_if(faces.begin(), faces.end(), [](const Face& f) { return f.neighbour >= 0; });
+        const auto count = [&](Patch patch) {
+            return std::count_if(faces.begin(), faces.end(), [&](const Face& f) { return f.patch == patch; });
+        };
 
         std::filesystem::create_directories(folder);
         const auto open = [&](const std::string& name, const std::string& type) {
@@ -106,16 +135,34 @@ struct PolyMesh {
             file << face.owner << "\n";
         file << ")\n";
         file = open("neighbour", "labelList");
-        file << inner << "(\n";
+        file << count(inside) << "(\n";
         for (const Face& face : faces)
             if (face.neighbour >= 0) file << face.neighbour << "\n";
         file << ")\n";
         file = open("boundary", "polyBoundaryMesh");
-        file << "1( sides { type patch; nFaces " << static_cast<long>(faces.size()) - inner << "; startFace " << inner
-             << "; } )\n";
+        const auto range = [&](Patch patch, long start) {
+            return "nFaces " + std::to_string(count(patch)) + "; startFace " + std::to_string(start) + "; }\n";
+        };
+        long start = count(inside);
+        file << (pair ? 3 : 1) << "(\nsides { type patch; " << range(sides, start);
+        if (pair) {
+            start += count(sides);
+            file << "cyclicLow { neighbourPatch cyclicHigh; " << pair->entries << range(low, start);
+            start += count(low);
+            file << "cyclicHigh { neighbourPatch cyclicLow; " << pair->entries << range(high, start);
+        }
+        file << ")\n";
     }
 
 private:
+    Vector mean(const Polygon& face) const
+    {
+        Vector sum(0, 0, 0);
+        for (const int p : face)
+            sum += points[static_cast<std::size_t>(p)];
+        return sum / static_cast<double>(face.size());
+    }
+
     Vector area(const Polygon& face) const
     {
         const auto at = [&](std::size_t i) { return points[static_cast<std::size_t>(face[i])]; };
@@ -245,6 +292,22 @@ inline PolyMesh leaning(PolyMesh mesh)
     for (Vector& p : mesh.points)
         p = Vector(p.x() + 0.3 * p.y() + 0.2 * p.z(), p.y() - 0.15 * p.z(), p.z() + 0.1 * p.x());
     return mesh;
+}
+
+/// Cell by cell a rank: slices along x with as many cells each, so that cuts go through the slanted faces of cells.
+inline std::vector<int> sliced(const PolyMesh& mesh, int ranks)
+{
+    std::vector<double> x;
+    for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+        x.push_back(mesh.middle(c).x());
+    std::vector<double> sorted = x;
+    std::sort(sorted.begin(), sorted.end());
+    std::vector<int> rank_of_cell;
+    for (const double of_cell : x) {
+        const auto before = std::lower_bound(sorted.begin(), sorted.end(), of_cell) - sorted.begin();
+        rank_of_cell.push_back(static_cast<int>(before * ranks / static_cast<long>(x.size())));
+    }
+    return rank_of_cell;
 }
 
 }  // namespace interphase::testing_gas
