@@ -99,6 +99,7 @@ MappedSpheres::MappedSpheres(const Communicator& comm, const WholeMesh& mesh, co
     : comm_(comm),
       cells_(mesh.cells),
       spheres_(spheres.size()),
+      volume_of_all_(spheres.volumes),
       partition_(Partition::at_random(mesh.cells, comm.size(), partition_seed)),
       view(mesh.part(partition_.rank_of, partition_.number_on, comm.rank())),
       mapping(comm, view, rules)

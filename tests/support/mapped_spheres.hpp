@@ -86,8 +86,12 @@ public:
         mapping.interpolate(cells, values);
         return values;
     }
-    /// Solid volume of own cells; from then on the mapping has its packing limit.
-    Scalars fill() { return mapping.solid_volume(volumes); }
+    /// Solid volume of own cells when every sphere stands for `weight` of its volume; from then on the mapping has its
+    /// packing limit.
+    Scalars fill(double weight = 1)
+    {
+        return mapping.solid_volume(of_particles([&](std::size_t i) { return weight * volume_of_all_[i]; }));
+    }
 
     double dot(const Scalars& a, const Scalars& b) const;
     double total(const Scalars& a) const { return dot(a, Scalars(a.size(), 1.0)); }
@@ -101,6 +105,7 @@ private:
 
     Communicator comm_;
     std::size_t cells_, spheres_;
+    Scalars volume_of_all_;
     Partition partition_;
 
 public:
