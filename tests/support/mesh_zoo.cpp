@@ -16,15 +16,6 @@ WholeMesh periodic(WholeMesh mesh, const std::vector<Vector>& shifts)
     return mesh;
 }
 
-template <class Keep>
-std::vector<NamedMesh> those(const Keep& keep)
-{
-    std::vector<NamedMesh> meshes = mesh_zoo();
-    meshes.erase(std::remove_if(meshes.begin(), meshes.end(), [&](const NamedMesh& m) { return !keep(m); }),
-                 meshes.end());
-    return meshes;
-}
-
 }  // namespace
 
 std::vector<NamedMesh> mesh_zoo()
@@ -41,7 +32,7 @@ std::vector<NamedMesh> mesh_zoo()
         {"pyramids", pyramids({3, 3, 3})},
         {"hexagonalPrisms", hexagonal_prisms({5, 5, 4})},
         {"truncatedOctahedra", truncated_octahedra({4, 4, 3})},
-        {"lShaped", l_shaped_cells({4, 3, 4}), true, false},
+        {"lShaped", l_shaped_cells(l_shaped_blocks), true, false},
         {"cyclicInOne", WholeMesh::of_boxes(unit_planes({5, 4, 4}), {true, false, false})},
         {"cyclicInTwo", WholeMesh::of_boxes(unit_planes({5, 4, 4}), {true, true, false})},
         {"cyclicInThree", WholeMesh::of_boxes(unit_planes({5, 4, 4}), {true, true, true})},
@@ -56,12 +47,10 @@ std::vector<NamedMesh> mesh_zoo()
 
 std::vector<NamedMesh> plane_meshes()
 {
-    return those([](const NamedMesh& m) { return m.plane; });
-}
-
-std::vector<NamedMesh> convex_meshes()
-{
-    return those([](const NamedMesh& m) { return m.plane && m.convex; });
+    std::vector<NamedMesh> meshes = mesh_zoo();
+    meshes.erase(std::remove_if(meshes.begin(), meshes.end(), [](const NamedMesh& each) { return !each.plane; }),
+                 meshes.end());
+    return meshes;
 }
 
 }  // namespace interphase::test

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <ostream>
 #include <string>
 
@@ -18,11 +19,13 @@ struct NamedMesh {
 
 inline void PrintTo(const NamedMesh& named, std::ostream* out) { *out << named.name; }
 
+/// Blocks of "lShaped", the one mesh of cells that are not convex.
+constexpr std::array<int, 3> l_shaped_blocks{4, 3, 4};
+
 /// One mesh of each kind, about a hundred cells of about unit size each.
 std::vector<NamedMesh> mesh_zoo();
 
-/// Those with plane faces; and of these, those with convex cells.
+/// Those with plane faces.
 std::vector<NamedMesh> plane_meshes();
-std::vector<NamedMesh> convex_meshes();
 
 }  // namespace interphase::test
