@@ -138,11 +138,15 @@ TEST(Continuity, FacesEdgesAndCornersAreCrossedWithoutAJump)
     }
 }
 
-TEST(Continuity, WarpedFacesLetValuesJumpInProportionToTheWarp)
+TEST(Continuity, BetweenWarpedFacesJumpsAreInProportionToTheWarp)
 {
+    // Faces count as planes, which their corners miss by up to `by`; the nearer vertices are half a cell apart, of values
+    // between -1 and 1. The factor is measured: 0.6, and no larger at half the warp.
+    constexpr int steps = 5000;
+    const double steady = largest_change({"even", shaken_boxes({6, 5, 4}, 0)}, 10, steps);
     for (const double by : {0.02, 0.04, 0.08, 0.16}) {
         const NamedMesh shaken{"shaken", shaken_boxes({6, 5, 4}, by), false};
-        std::cout << by << " " << largest_change_across(shaken, 1e-9) << "\n";
+        EXPECT_LT(largest_change(shaken, 10, steps), 0.7 * by + steady) << "moved by " << by;
     }
 }
 
