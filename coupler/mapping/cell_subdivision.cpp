@@ -16,8 +16,14 @@ constexpr double tie = 1e-9;
 std::array<double, 8> products(double a, double b, double c)
 {
     const double ab = a * b, ac = a * c, bc = b * c, abc = ab * c;
-    return {1 - a - b - c + ab + ac + bc - abc, a - ab - ac + abc, b - ab - bc + abc, ab - abc,
-            c - ac - bc + abc,                  ac - abc,          bc - abc,          abc};
+    return {1 - a - b - c + ab + ac + bc - abc,
+            a - ab - ac + abc,
+            b - ab - bc + abc,
+            ab - abc,
+            c - ac - bc + abc,
+            ac - abc,
+            bc - abc,
+            abc};
 }
 
 /// b and c on the face.
@@ -31,7 +37,8 @@ std::array<double, 8> cones(double a, double b, double c)
 template <class Functions>
 std::array<double, 8> means_of(Functions&& functions)
 {
-    constexpr std::array<double, 4> node{0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
+    constexpr std::array<double, 4> node{0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
+                                         0.9602898564975363};
     constexpr std::array<double, 4> weight{0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
                                            0.1012285362903763};
     const auto at = [&](std::size_t n) { return 0.5 + (n % 2 ? 0.5 : -0.5) * node[n / 2]; };
@@ -202,8 +209,8 @@ public:
                 const int before = (k + n - 1) % n;
                 enter(s, at(k), 0, {0, 1, 2});
                 enter(s, at(before), 1, {0, 2, 1});
-                all_.corners_.push_back({static_cast<int>(cell_), joints_.of_face(face), -1, joints_.of_edge(face, k), -1,
-                                         joints_.of_edge(face, before), -1, joints_.of_corner(face, k)});
+                all_.corners_.push_back({static_cast<int>(cell_), joints_.of_face(face), -1, joints_.of_edge(face, k),
+                                         -1, joints_.of_edge(face, before), -1, joints_.of_corner(face, k)});
             }
         }
     }
@@ -282,6 +289,15 @@ void CellSubdivision::look_at_cells(const MeshView& mesh, const JointNumbering& 
         if (is_box) boxes_.push_back(finder.box(first_corner));
         first_side_.push_back(sides_.size());
     }
+}
+
+double CellSubdivision::aside(std::size_t side, const Vector& y) const
+{
+    const std::size_t face = at(sides_[side].face);
+    double most = 0;
+    for (std::size_t e = first_edge_[face]; e < first_edge_[face + 1]; ++e)
+        most = std::max(most, edges_[e].gauge.dot(y));
+    return most;
 }
 
 CellSubdivision::OnFace CellSubdivision::seen_from_cell(const Vector& x, std::size_t side) const

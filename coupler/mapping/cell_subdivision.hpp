@@ -14,14 +14,14 @@ namespace interphase {
 /// The barycentric subdivision of a rank's cells, and functions on it that sum to one and are continuous over the mesh,
 /// one for each joint.
 ///
-/// A cell's tetrahedra stand between its centre, the centre of one of its faces, the middle of one of that face's edges,
-/// and one end of the edge. Three coordinates, 1 >= A >= B >= C >= 0, tell where in one of them a point lies: A is 0 at
-/// the cell's centre and 1 on its face; B/A is 0 at the centre of the face and 1 on its edge; C/B is 0 in the middle of
-/// the edge and 1 at its end. A, B and C are what three coordinates along the axes are to a box. With the smoothed
-/// a = s(A) and so on, s(t) = t^2 (3 - t)/2, the functions are products: (1-a)(1-b)(1-c) of the cell's centre,
+/// A cell's tetrahedra stand between its centre, the centre of one of its faces, the middle of one of that face's
+/// edges, and one end of the edge. Three coordinates, 1 >= A >= B >= C >= 0, tell where in one of them a point lies: A
+/// is 0 at the cell's centre and 1 on its face; B/A is 0 at the centre of the face and 1 on its edge; C/B is 0 in the
+/// middle of the edge and 1 at its end. A, B and C are what three coordinates along the axes are to a box. With the
+/// smoothed a = s(A) and so on, s(t) = t^2 (3 - t)/2, the functions are products: (1-a)(1-b)(1-c) of the cell's centre,
 /// a(1-b)(1-c) of the face, (1-a)b(1-c) and (1-a)(1-b)c of the other two faces that meet at the corner, ab(1-c) of the
-/// edge, and so on to abc of the corner. Where more than three faces meet at some corner of a cell the products would not
-/// match, and the cell's functions run straight from its centre to those on its faces.
+/// edge, and so on to abc of the corner. Where more than three faces meet at some corner of a cell the products would
+/// not match, and the cell's functions run straight from its centre to those on its faces.
 ///
 /// On a uniform grid of boxes a cell then holds products of functions like (1 + cos(pi x/h))/2: a hat of that width
 /// without its kinks, whose spectrum falls off with the third power of the wave number, so that regular packings leave
@@ -33,15 +33,31 @@ class CellSubdivision {
 public:
     CellSubdivision(const MeshView& mesh, const JointNumbering& joints);
 
-    /// A corner of a cell, or of one of its faces where more than three meet at some corner. Joints by the bits of their
-    /// number: 1, 2, 4 are three faces there, 3, 5, 6 the edges between two of them, 7 the corner; 0 the cell's centre.
-    /// Those not needed are -1.
+    /// A face as its cell's centre sees it.
+    struct Side {
+        Vector gauge =
+            Vector::Zero();  ///< gauge . (x - centre of the cell) is 1 on the plane of the face, or 0: not seen
+        Vector to_face;      ///< from the centre of the cell to that of the face [m]
+        int face = 0;
+        std::size_t first_wedge = 0;  ///< one for each edge
+    };
+    const Vector& centre(std::size_t cell) const { return centre_[cell]; }
+    std::size_t sides_begin(std::size_t cell) const { return first_side_[cell]; }
+    std::size_t sides_end(std::size_t cell) const { return first_side_[cell + 1]; }
+    const Side& side(std::size_t n) const { return sides_[n]; }
+    /// How far from the centre of its face a point in the face's plane lies: 0 at the centre, 1 on an edge. `y` [m]
+    /// from the centre of the face.
+    double aside(std::size_t side, const Vector& y) const;
+
+    /// A corner of a cell, or of one of its faces where more than three meet at some corner. Joints by the bits of
+    /// their number: 1, 2, 4 are three faces there, 3, 5, 6 the edges between two of them, 7 the corner; 0 the cell's
+    /// centre. Those not needed are -1.
     using Corner = std::array<int, 8>;
     const Corner& corner(std::size_t n) const { return corners_[n]; }
     std::size_t corners() const { return corners_.size(); }
 
-    /// Where a point of a cell lies: near which of the cell's corners, and its smoothed coordinates towards the three faces
-    /// there, by bit; in a cell of cones, towards the face and along its two edges.
+    /// Where a point of a cell lies: near which of the cell's corners, and its smoothed coordinates towards the three
+    /// faces there, by bit; in a cell of cones, towards the face and along its two edges.
     struct Place {
         std::size_t corner;
         bool products;
@@ -52,8 +68,9 @@ public:
     };
     Place place(const Vector& point, std::size_t cell) const
     {
-        return box_of_cell_[cell] >= 0 ? place_in_box(point - centre_[cell], static_cast<std::size_t>(box_of_cell_[cell]))
-                                       : place_in_tetrahedron(point - centre_[cell], cell);
+        return box_of_cell_[cell] >= 0
+                   ? place_in_box(point - centre_[cell], static_cast<std::size_t>(box_of_cell_[cell]))
+                   : place_in_tetrahedron(point - centre_[cell], cell);
     }
 
     /// Integrals of the functions over a cell [m3], which sum to its volume: `visit(joint, integral)`.
@@ -78,13 +95,6 @@ public:
     }
 
 private:
-    /// A face as its cell's centre sees it.
-    struct Side {
-        Vector gauge = Vector::Zero();  ///< gauge . (x - centre of the cell) is 1 on the plane of the face, or 0: not seen
-        Vector to_face;                 ///< from the centre of the cell to that of the face [m]
-        int face = 0;
-        std::size_t first_wedge = 0;  ///< one for each edge
-    };
     /// An edge as the centre of its face sees it.
     struct Edge {
         Vector gauge = Vector::Zero();  ///< gauge . (x - centre of the face) is 1 on the edge, or 0: not seen

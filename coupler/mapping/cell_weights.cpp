@@ -88,11 +88,21 @@ void CellWeights::add_spread(std::size_t particle, const Vector& position, int c
         first_.push_back(used_);
         return;
     }
+    add_joints(at, 1.0);
+    end_particle(particle);
+}
+
+void CellWeights::add_point(const Vector& position, int cell, double share)
+{
+    add_joints(subdivision_.place(position, static_cast<std::size_t>(cell)), share);
+}
+
+void CellWeights::add_joints(const CellSubdivision::Place& at, double share)
+{
     const CellSubdivision::Corner& corner = subdivision_.corner(at.corner);
     const std::array<double, 8> functions = at.functions();
     for (std::size_t n = 0; n < 8; ++n)
-        if (corner[n] >= 0) add(corner[n], functions[n]);
-    end_particle(particle);
+        if (corner[n] >= 0) add(corner[n], share * functions[n]);
 }
 
 }  // namespace interphase

@@ -9,9 +9,9 @@
 
 namespace interphase {
 
-/// Where the weights of cells are the plain products that they are on a uniform grid of boxes: the corners at which cells
-/// of this rank meet that share its joints evenly, eight of them, or four, two or one where walls cut it off. A short cut
-/// for what the joints' shares say, no other weights.
+/// Where the weights of cells are the plain products that they are on a uniform grid of boxes: the corners at which
+/// cells of this rank meet that share its joints evenly, eight of them, or four, two or one where walls cut it off. A
+/// short cut for what the joints' shares say, no other weights.
 class CornerCells {
 public:
     CornerCells(const CellSubdivision& subdivision, const Joints& joints);

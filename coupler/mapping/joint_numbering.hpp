@@ -12,8 +12,8 @@ namespace interphase {
 /// Which faces, edges and corners of cells are one and the same when cells that share a face are glued together: the
 /// joints of the mesh, with each cell's own centre beside them.
 ///
-/// Every cell has its own copy of its faces, edges and corners at first. Each face between two cells glues the copies on
-/// its two sides; the lowest label spreads, first on the rank, then across the faces that have their other half
+/// Every cell has its own copy of its faces, edges and corners at first. Each face between two cells glues the copies
+/// on its two sides; the lowest label spreads, first on the rank, then across the faces that have their other half
 /// elsewhere, until nothing changes. So a wall or a baffle parts the cells on its sides, and faces of processor and
 /// cyclic patches join them.
 class JointNumbering {

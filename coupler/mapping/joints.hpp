@@ -12,9 +12,9 @@
 
 namespace interphase {
 
-/// The cells that meet at each joint, and their shares of it: a cell's share is the integral of the joint's function over
-/// the cell, over that over all its cells. So shares sum to one, and a density that is uniform gives every cell its own
-/// volume of it.
+/// The cells that meet at each joint, and their shares of it: a cell's share is the integral of the joint's function
+/// over the cell, over that over all its cells. So shares sum to one, and a density that is uniform gives every cell
+/// its own volume of it.
 class Joints {
 public:
     /// Collective; the mesh must not change afterwards.
@@ -46,8 +46,8 @@ public:
         return {shares_.data() + first_share_[j], shares_.data() + first_share_[j + 1]};
     }
 
-    /// Replaces the values of the shared joints, `values[i]` that of shared()[i], by their sums over the ranks that share
-    /// each. Collective.
+    /// Replaces the values of the shared joints, `values[i]` that of shared()[i], by their sums over the ranks that
+    /// share each. Collective.
     template <class Record>
     void sum_shared(std::vector<Record>& values) const
     {
