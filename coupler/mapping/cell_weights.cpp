@@ -1,54 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapping/cell_weights.hpp"
 
-#include <cmath>
-
 namespace interphase {
 
-void CellWeights::place_in_own_cell(const std::vector<int>& own_cell)
+void CellWeights::clear()
 {
-    cell_ = own_cell;
-    weight_.assign(own_cell.size(), 1.0);
-    first_.resize(own_cell.size() + 1);
-    for (std::size_t i = 0; i < first_.size(); ++i)
-        first_[i] = i;
+    for (const int joint : used_)
+        number_[static_cast<std::size_t>(joint)] = unused;
+    used_ = joints_.shared();
+    for (std::size_t n = 0; n < used_.size(); ++n)
+        number_[static_cast<std::size_t>(used_[n])] = static_cast<int>(n);
+    particle_.clear();
+    first_.assign(1, 0);
+    entries_.clear();
 }
 
-void CellWeights::spread_by_kernel(const Vectors& positions, const std::vector<int>& own_cell)
+void CellWeights::add(int joint, double weight)
 {
-    first_.assign(1, 0);
-    first_.reserve(own_cell.size() + 1);
-    std::size_t used = 0;
-    for (std::size_t i = 0; i < own_cell.size(); ++i) {
-        const Vector& x = positions[i];
-        double total = 0;
-        const auto own = static_cast<std::size_t>(own_cell[i]);
-        const auto [begin, end] = cells_.neighbours_near(own, x);
-        const std::size_t most = used + static_cast<std::size_t>(end - begin) + 1;
-        if (most > cell_.size()) {
-            cell_.resize(2 * most);
-            weight_.resize(2 * most);
-        }
-        for (const int* n = begin; n != end; ++n) {
-            const auto c = static_cast<std::size_t>(*n);
-            const Vector& centre = cells_.centre(c);
-            const Vector& reach = cells_.reach(c);
-            const double dx = std::abs(x[0] - centre[0]), dy = std::abs(x[1] - centre[1]),
-                         dz = std::abs(x[2] - centre[2]);
-            if (dx >= reach[0] || dy >= reach[1] || dz >= reach[2]) continue;
-            const double weight = (1 - dx / reach[0]) * (1 - dy / reach[1]) * (1 - dz / reach[2]) * cells_.volume(c);
-            cell_[used] = *n;
-            weight_[used++] = weight;
-            total += weight;
-        }
-        if (total <= 0) {  // an oddly shaped cell whose box does not hold all of it
-            cell_[used] = own_cell[i];
-            weight_[used++] = total = 1.0;
-        }
-        for (std::size_t k = first_.back(); k < used; ++k)
-            weight_[k] /= total;
-        first_.push_back(used);
+    if (weight == 0) return;
+    int& number = number_[static_cast<std::size_t>(joint)];
+    if (number == unused) {
+        number = static_cast<int>(used_.size());
+        used_.push_back(joint);
     }
+    entries_.push_back({static_cast<std::size_t>(number), weight});
+}
+
+void CellWeights::add_to_cell(std::size_t particle, int cell)
+{
+    add(joints_.of_cell(static_cast<std::size_t>(cell)), 1.0);
+    particle_.push_back(particle);
+    first_.push_back(entries_.size());
+}
+
+void CellWeights::add_spread(std::size_t particle, const Vector& position, int cell)
+{
+    const auto own = static_cast<std::size_t>(cell);
+    const CellSubdivision::Place at = subdivision_.place(position, own);
+    add(joints_.of_cell(own), at.in_cell);
+    add(joints_.of_face(at.face), at.on_face);
+    add(joints_.of_edge(at.face, at.edge), at.on_edge);
+    add(joints_.of_corner(at.face, at.corner), at.on_corner);
+    particle_.push_back(particle);
+    first_.push_back(entries_.size());
 }
 
 }  // namespace interphase

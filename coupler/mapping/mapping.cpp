@@ -1,31 +1,95 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapping/mapping.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace interphase {
 
-Mapping::Mapping(const Communicator& comm, const MeshView& mesh, MappingType type, double kernel_width,
-                 double maximum_packing)
-    : type_(type),
-      cells_(comm, mesh, type == MappingType::kernel ? kernel_width : 0.0),
-      weights_(cells_),
-      limit_(cells_, comm, maximum_packing)
+namespace {
+
+double diameter_of(double volume) { return std::cbrt(6 / M_PI * volume); }
+
+/// Of a Gaussian of that width at half height.
+double variance_of(double width) { return width * width / (8 * std::log(2.0)); }
+
+/// Of what the weights do in a uniform grid of boxes: those of a hat.
+double variance_of_weights(double distance) { return distance * distance / 6; }
+
+}  // namespace
+
+Mapping::Mapping(const Communicator& comm, const MeshView& mesh, const MappingRules& rules)
+    : comm_(comm),
+      rules_(rules),
+      cells_(comm, mesh),
+      subdivision_(mesh),
+      joints_(comm, mesh, subdivision_),
+      limit_(cells_, comm, rules.maximum_packing)
 {}
 
-void Mapping::place(const Vectors& positions, const std::vector<int>& cells)
+int Mapping::octave_of(double volume) const
 {
-    if (type_ == MappingType::kernel)
-        weights_.spread_by_kernel(positions, cells);
-    else
-        weights_.place_in_own_cell(cells);
+    if (rules_.width > 0 || rules_.type == MappingType::cell_centre) return 0;
+    return static_cast<int>(std::lround(std::log2(diameter_of(volume) / reference_)));
+}
+
+void Mapping::cover(const Scalars& volumes)
+{
+    double smallest = 1e300, largest = 0;
+    for (const double volume : volumes) {
+        smallest = std::min(smallest, volume);
+        largest = std::max(largest, volume);
+    }
+    const Vector of_all = comm_.max(Vector(-smallest, largest, 0));
+    smallest = -of_all[0];
+    largest = of_all[1];
+    if (!(largest > 0)) return;  // nobody is there
+    if (reference_ == 0) reference_ = diameter_of(largest);
+
+    const int count = static_cast<int>(classes_.size());
+    int first = octave_of(smallest), last = octave_of(largest);
+    if (count > 0 && first >= first_octave_ && last < first_octave_ + count) return;
+    if (count > 0) {
+        first = std::min(first, first_octave_);
+        last = std::max(last, first_octave_ + count - 1);
+    }
+    first_octave_ = first;
+    classes_.clear();
+    const auto half_variance = [&](int octave, double distance) {
+        const double width =
+            rules_.width > 0 ? rules_.width : rules_.width_in_diameters * reference_ * std::exp2(octave);
+        return 0.5 * std::max(0.0, variance_of(width) - variance_of_weights(distance));
+    };
+    for (int octave = first; octave <= last; ++octave) {
+        const auto beside_those_before = [&](double distance) {
+            if (rules_.type == MappingType::cell_centre) return 0.0;
+            return half_variance(octave, distance) - (octave > first ? half_variance(octave - 1, distance) : 0.0);
+        };
+        classes_.push_back({Diffusion(cells_, comm_, beside_those_before),
+                            CellWeights(joints_, subdivision_, cells_.own_count())});
+    }
+}
+
+void Mapping::place(const Vectors& positions, const std::vector<int>& cells, const Scalars& volumes)
+{
+    particles_ = positions.size();
+    cover(volumes);
+    for (SizeClass& sizes : classes_)
+        sizes.weights.clear();
+    for (std::size_t i = 0; i < particles_; ++i) {
+        const int octave = classes_.size() > 1 ? octave_of(volumes[i]) - first_octave_ : 0;
+        CellWeights& weights = classes_[static_cast<std::size_t>(octave)].weights;
+        if (rules_.type == MappingType::kernel)
+            weights.add_spread(i, positions[i], cells[i]);
+        else
+            weights.add_to_cell(i, cells[i]);
+    }
 }
 
 Scalars Mapping::solid_volume(const Scalars& of_particles)
 {
-    Scalars volume(cells_.local_count(), 0.0);
-    weights_.deposit(of_particles, volume);
-    cells_.add_halo_to_owners(volume);
+    Scalars volume = spread(of_particles);
     limit_.relieve(volume);
-    volume.resize(cells_.own_count());
     return volume;
 }
 

@@ -25,14 +25,14 @@ PackingLimit::Pass PackingLimit::transfers_for(const Scalars& solid_volume) cons
 
         const auto room = [&](std::size_t n) { return std::max(0.0, limit_ * cells_.volume(n) - solid_volume[n]); };
         double rooms = 0, volumes = 0;
-        for (const int* n = cells_.neighbours_begin(c) + 1; n != cells_.neighbours_end(c); ++n) {
-            rooms += room(static_cast<std::size_t>(*n));
-            volumes += cells_.volume(static_cast<std::size_t>(*n));
+        const auto begin = cells_.links_begin(c), end = cells_.links_end(c);
+        for (auto link = begin; link != end; ++link) {
+            rooms += room(index(link->to));
+            volumes += cells_.volume(index(link->to));
         }
-        for (const int* n = cells_.neighbours_begin(c) + 1; n != cells_.neighbours_end(c); ++n) {
-            const auto to = static_cast<std::size_t>(*n);
-            const double share = rooms > 0 ? room(to) / rooms : cells_.volume(to) / volumes;
-            if (share > 0) pass.push_back({static_cast<int>(c), *n, share * excess / solid_volume[c]});
+        for (auto link = begin; link != end; ++link) {
+            const double share = rooms > 0 ? room(index(link->to)) / rooms : cells_.volume(index(link->to)) / volumes;
+            if (share > 0) pass.push_back({static_cast<int>(c), link->to, share * excess / solid_volume[c]});
         }
     }
     return pass;
@@ -48,12 +48,14 @@ void PackingLimit::relieve(Scalars& solid_volume)
             above = solid_volume[c] > (limit_ + slack) * cells_.volume(c);
         if (!comm_.any(above)) return;
 
+        solid_volume.resize(cells_.local_count());
         cells_.fill_halo(solid_volume);
         passes_.push_back(transfers_for(solid_volume));
         const Pass& pass = passes_.back();
         for (std::size_t i = 0; i < pass.size(); ++i)
             if (n == 0 && (i == 0 || pass[i].from != pass[i - 1].from)) ++cells_relieved_;
         apply(pass, solid_volume);
+        solid_volume.resize(cells_.own_count());
     }
 
     std::optional<Problem> problem;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mapping/cell_neighbourhood.hpp"
+#include "mapping/cell_graph.hpp"
 
 namespace interphase {
 
@@ -16,15 +16,15 @@ namespace interphase {
 /// and momentum stay conserved while a cell is relieved.
 class PackingLimit {
 public:
-    PackingLimit(const CellNeighbourhood& cells, const Communicator& comm, double limit)
+    PackingLimit(const CellGraph& cells, const Communicator& comm, double limit)
         : cells_(cells), comm_(comm), limit_(limit)
     {}
 
-    /// Relieves `solid_volume` [local_count, m3; halo part unused] until no own cell is above the limit, and remembers
+    /// Relieves `solid_volume` [own cells, m3] until no own cell is above the limit, and remembers
     /// how. Throws a UserError where there is no room left for the excess. Collective.
     void relieve(Scalars& solid_volume);
 
-    /// Does to another content [local_count] what relieve() did to the solid volume. Collective.
+    /// Does to another content [own cells] what relieve() did to the solid volume. Collective.
     template <class Record>
     void hand_over(std::vector<Record>& content) const
     {
@@ -32,11 +32,12 @@ public:
             apply(pass, content);
     }
 
-    /// The transpose, for cell values on their way to the particles [local_count]. Collective.
+    /// The transpose, for cell values on their way to the particles [own cells]. Collective.
     template <class Record>
     void take_from_receivers(std::vector<Record>& values) const
     {
         for (auto pass = passes_.rbegin(); pass != passes_.rend(); ++pass) {
+            values.resize(cells_.local_count());
             cells_.fill_halo(values);
             std::vector<Record> change(cells_.own_count(), Record{});
             for (const Transfer& t : *pass)
@@ -45,6 +46,7 @@ public:
             for (std::size_t c = 0; c < change.size(); ++c)
                 numbers(values[c]) += numbers(change[c]);
         }
+        values.resize(cells_.own_count());
     }
 
     /// Cells of this rank that were above the limit in the last relieve().
@@ -64,7 +66,7 @@ private:
     template <class Record>
     void apply(const Pass& pass, std::vector<Record>& content) const
     {
-        std::vector<Record> given(content.size(), Record{});
+        std::vector<Record> given(cells_.local_count(), Record{});
         for (const Transfer& t : pass) {
             const Numbers<Record> amount = t.fraction * numbers(content[index(t.from)]);
             numbers(given[index(t.to)]) += amount;
@@ -75,7 +77,7 @@ private:
             numbers(content[c]) += numbers(given[c]);
     }
 
-    const CellNeighbourhood& cells_;
+    const CellGraph& cells_;
     Communicator comm_;
     double limit_;
     std::vector<Pass> passes_;

@@ -72,7 +72,7 @@ CoupledRun::CoupledRun(GasCase& gas_case, const MakeParticleEngine& make_particl
                                 " m/s2, fix gravity " + text(solids_->gravity()) + " m/s2",
                             "constant/g and " + settings_.script, "give both the same value");
         coupling_ =
-            std::make_unique<CouplingStep>(comm_, settings_, *gas_, *solids_, solids_->largest_diameter(), stopwatch_);
+            std::make_unique<CouplingStep>(comm_, settings_, *gas_, *solids_, stopwatch_);
         coupling_->start_at(case_.time());
     }
     results_ = std::make_unique<Results>(comm_);

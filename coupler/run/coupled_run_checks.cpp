@@ -93,7 +93,7 @@ void CoupledRun::check_weights() const
 
 void CoupledRun::check_scene() const
 {
-    if (!gas_ || settings_.mapping == MappingType::kernel) return;
+    if (!gas_ || settings_.mapping.type == MappingType::kernel) return;
     if (settings_.two_way && solids_->solid_stress())
         throw UserError(
             "a stress of the solids and `type cellCentre;` do not go together: single cells fill and empty as "

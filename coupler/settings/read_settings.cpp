@@ -121,14 +121,20 @@ void read_drag(Reader& dict, Settings& settings)
 
 void read_mapping(Reader& dict, Settings& settings)
 {
+    MappingRules& rules = settings.mapping;
     dict.choice({"type", "what a particle belongs to: cells in a kernel's reach, or the one that holds its centre"},
-                settings.mapping, {{"kernel", MappingType::kernel}, {"cellCentre", MappingType::cell_centre}});
-    dict.number({"width", "the kernel's least half-width", "m", "two diameters of the tracked sphere"},
-                settings.kernel_width, above(0));
-    if (settings.kernel_width > 0 && settings.mapping == MappingType::cell_centre)
-        throw dict.complaint("width", "a kernel width with `type cellCentre;`", "remove it, or set `type kernel;`");
+                rules.type, {{"kernel", MappingType::kernel}, {"cellCentre", MappingType::cell_centre}});
+    dict.number({"widthInDiameters", "the kernel's least width at half height, in diameters of the tracked sphere"},
+                rules.width_in_diameters, above(0));
+    dict.number({"width", "that width for all spheres, whatever their size", "m", "by widthInDiameters"}, rules.width,
+                above(0));
+    for (const char* key : {"width", "widthInDiameters"})
+        if (dict.has(key) && rules.type == MappingType::cell_centre)
+            throw dict.complaint(key, "a kernel width with `type cellCentre;`", "remove it, or set `type kernel;`");
+    if (dict.has("width") && dict.has("widthInDiameters"))
+        throw dict.complaint("width", "two widths of the kernel, `width` and `widthInDiameters`", "keep one of them");
     dict.number({"maximumPacking", "solid fraction above which a cell hands its excess to its neighbours"},
-                settings.maximum_packing, between(0, 1));
+                rules.maximum_packing, between(0, 1));
 }
 
 void read_records(Reader& dict, Settings& settings)

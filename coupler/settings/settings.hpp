@@ -37,9 +37,7 @@ struct Settings {
     std::string drag_law = "BVK";
     std::vector<std::string> forces;  ///< interphase terms beside drag and pressure gradient (forces/terms.hpp)
 
-    MappingType mapping = MappingType::kernel;
-    double kernel_width = 0;        ///< least half-width of the kernel [m]; 0: two diameters of the tracked sphere
-    double maximum_packing = 0.74;  ///< solid fraction above which a cell hands its excess to neighbours
+    MappingRules mapping;
     OutsideMesh outside_mesh = OutsideMesh::stop;
 
     double record_interval = 0.05;      ///< between two rows of the series [s]

@@ -18,7 +18,7 @@ double sphere_volume(double radius) { return 4.0 / 3.0 * M_PI * radius * radius 
 }  // namespace
 
 CouplingStep::CouplingStep(const Communicator& comm, const Settings& settings, Gas& gas, Solids& solids,
-                           double largest_diameter, Stopwatch& stopwatch)
+                           Stopwatch& stopwatch)
     : comm_(comm),
       settings_(settings),
       gas_(gas),
@@ -26,8 +26,7 @@ CouplingStep::CouplingStep(const Communicator& comm, const Settings& settings, G
       stopwatch_(stopwatch),
       owner_cell_search_(comm, gas.locator()),
       owner_exchange_(comm),
-      mapping_(comm, gas.mesh(), settings.mapping,
-               settings.kernel_width > 0 ? settings.kernel_width : 2 * largest_diameter, settings.maximum_packing),
+      mapping_(comm, gas.mesh(), settings.mapping),
       forces_(settings, gas, mapping_, solids.gravity()),
       ledger_(comm),
       watch_(comm, gas, solids),
@@ -116,7 +115,7 @@ void CouplingStep::map_voidage()
         positions_[i] = to_vector(visitors_.visitor[i].position);
         volumes_[i] = visitors_.visitor[i].volume;
     }
-    mapping_.place(positions_, visitors_.cell);
+    mapping_.place(positions_, visitors_.cell, volumes_);
     for (const CellAddress& owner : owner_cells_)
         outside_ += !owner.known();
     if (!needs_solid_volume()) return;

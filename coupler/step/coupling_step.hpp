@@ -27,8 +27,7 @@ namespace interphase {
 /// One lockstep of gas and particles.
 class CouplingStep {
 public:
-    CouplingStep(const Communicator& comm, const Settings& settings, Gas& gas, Solids& solids, double largest_diameter,
-                 Stopwatch& stopwatch);
+    CouplingStep(const Communicator& comm, const Settings& settings, Gas& gas, Solids& solids, Stopwatch& stopwatch);
 
     /// The time that messages count from [s]; 0 at first.
     void start_at(double time) { watch_.start_at(time); }

@@ -75,9 +75,9 @@ TEST_F(ReadSettings, NeedsAScriptAndHasDefaultsForTheRest)
     EXPECT_EQ(s.gas, GasModel::pimple);
     EXPECT_TRUE(s.two_way);
     EXPECT_EQ(s.drag_law, drag_laws().front().name);
-    EXPECT_EQ(s.mapping, MappingType::kernel);
-    EXPECT_EQ(s.kernel_width, 0);
-    EXPECT_EQ(s.maximum_packing, 0.74);
+    EXPECT_EQ(s.mapping.type, MappingType::kernel);
+    EXPECT_EQ(s.mapping.width, 0);
+    EXPECT_EQ(s.mapping.maximum_packing, 0.74);
     EXPECT_EQ(s.outside_mesh, OutsideMesh::stop);
     EXPECT_EQ(s.record_interval, 0.05);
     EXPECT_EQ(s.snapshot_interval, 0);
@@ -106,13 +106,13 @@ TEST_F(ReadSettings, EachKeySetsItsOwn)
     EXPECT_EQ(s.gas, GasModel::pimple);
     EXPECT_FALSE(s.two_way);
     EXPECT_EQ(s.drag_law, "Ergun");
-    EXPECT_EQ(s.kernel_width, 0.02);
-    EXPECT_EQ(s.maximum_packing, 0.6);
+    EXPECT_EQ(s.mapping.width, 0.02);
+    EXPECT_EQ(s.mapping.maximum_packing, 0.6);
     EXPECT_EQ(s.outside_mesh, OutsideMesh::ignore);
     EXPECT_EQ(s.record_interval, 0.1);
     EXPECT_EQ(s.snapshot_interval, 0.2);
     EXPECT_EQ(s.pressure_taps, taps);
-    EXPECT_EQ(read({{"mapping", Block{{"type", "cellCentre"}}}}).mapping, MappingType::cell_centre);
+    EXPECT_EQ(read({{"mapping", Block{{"type", "cellCentre"}}}}).mapping.type, MappingType::cell_centre);
     EXPECT_EQ(read({}, {{"solidStep", 1e-5}}).solid_step, 1e-5);
 }
 

@@ -59,7 +59,7 @@ std::vector<Particle> crowd(int count, double packed_towards_the_middle = 1)
 Settings rules(MappingType type = MappingType::kernel)
 {
     Settings settings;
-    settings.mapping = type;
+    settings.mapping.type = type;
     return settings;
 }
 
@@ -113,7 +113,7 @@ TEST(Balance, MomentumOfGasAndParticlesChangesByOutsideForcesAlone)
 TEST(Balance, HoldsWherePackedCellsHandOver)
 {
     Settings settings = rules();
-    settings.maximum_packing = 0.25;
+    settings.mapping.maximum_packing = 0.25;
     const auto s = scene(world(), crowd(300, 2.5), settings);
     for (int n = 1; n <= 50; ++n) {
         s->advance(substeps);

@@ -78,7 +78,7 @@ std::vector<Particle> stack(const std::vector<int>& layers)
 Settings rules(bool two_way = true)
 {
     Settings settings;
-    settings.mapping = MappingType::cell_centre;
+    settings.mapping.type = MappingType::cell_centre;
     settings.two_way = two_way;
     return settings;
 }
@@ -157,7 +157,7 @@ TEST(SolidStress, WhatMovesTogetherIsItsOwnMean)
     for (Particle& p : all)
         p.velocity = Vector(0.3, -0.2, 0.1);
     Settings spread = rules();
-    spread.mapping = MappingType::kernel;
+    spread.mapping.type = MappingType::kernel;
     LinearStress model;
     Scene s(world(), planes(), 1.2, 1.8e-5, all, gravity, solid_step, spread, &model);
     s.advance(1);

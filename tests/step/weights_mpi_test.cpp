@@ -68,7 +68,7 @@ TEST(Weights, ParcelsFlyAsTheirParticlesDo)
                              Vector(0.3 + 0.7 * static_cast<double>(all.size()), 1.7, 9.4) * cell));
     for (const MappingType mapping : {MappingType::cell_centre, MappingType::kernel}) {
         Settings rules;
-        rules.mapping = mapping;
+        rules.mapping.type = mapping;
         rules.two_way = false;
         const auto s = scene(all, rules);
         for (std::size_t c = 0; c < s->mesh.view().size(); ++c)
@@ -102,8 +102,8 @@ TEST(Weights, AMixtureTakesFromTheGasWhatSingleParticlesTake)
 {
     for (const MappingType mapping : {MappingType::cell_centre, MappingType::kernel}) {
         Settings rules;
-        rules.mapping = mapping;
-        rules.kernel_width = 1.5 * cell;  // not that of the largest
+        rules.mapping.type = mapping;
+        rules.mapping.width = 1.5 * cell;  // not that of the largest
         double exchanged = 0;
         const auto momentum_given = [&](const std::vector<double>& weights) {
             const auto s = scene(mixture(weights), rules);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "support/whole_mesh.hpp"
+
 namespace interphase::test {
 
 namespace {
@@ -15,7 +17,7 @@ std::size_t at(int axis) { return static_cast<std::size_t>(axis); }
 
 }  // namespace
 
-BoxMesh::BoxMesh(const Communicator& comm, Planes planes, int cut)
+BoxMesh::BoxMesh(const Communicator& comm, Planes planes, int cut, const std::array<bool, 3>& periodic)
     : planes_(std::move(planes)), cut_(cut), rank_(comm.rank()), ranks_(comm.size())
 {
     if (layers(cut_) < ranks_) throw std::invalid_argument("BoxMesh: fewer layers than ranks");
@@ -27,12 +29,19 @@ BoxMesh::BoxMesh(const Communicator& comm, Planes planes, int cut)
             for (int i = low[0]; i < high[0]; ++i) {
                 const Vector near(planes_[0][at(i)], planes_[1][at(j)], planes_[2][at(k)]);
                 const Vector far(planes_[0][at(i + 1)], planes_[1][at(j + 1)], planes_[2][at(k + 1)]);
-                view_.centre.push_back(0.5 * (near + far));
-                view_.extent.push_back(far - near);
-                view_.volume.push_back((far - near).prod());
                 extend(bounds_, near);
                 extend(bounds_, far);
             }
+    const WholeMesh whole = WholeMesh::of_boxes(planes_, periodic);
+    std::vector<int> rank_of, number_on;
+    for (int k = 0; k < layers(2); ++k)
+        for (int j = 0; j < layers(1); ++j)
+            for (int i = 0; i < layers(0); ++i) {
+                const CellAddress address = address_of(Index{i, j, k});
+                rank_of.push_back(address.rank);
+                number_on.push_back(address.cell);
+            }
+    view_ = whole.part(rank_of, number_on, rank_);
 }
 
 int BoxMesh::rank_of_layer(int layer) const

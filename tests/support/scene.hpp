@@ -24,7 +24,7 @@ public:
           mesh(comm, planes, 2),
           gas(comm, mesh, gas_density, viscosity),
           particles(comm, share_of(comm, all), gravity, solid_step, stress),
-          step(comm, settings, gas, particles, largest_diameter(all), stopwatch),
+          step(comm, settings, gas, particles, stopwatch),
           solid_step_(solid_step)
     {}
 
