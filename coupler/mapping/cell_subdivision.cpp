@@ -7,6 +7,13 @@
 
 namespace interphase {
 
+namespace {
+
+/// Of a face's or an edge's extent: as near to its end as that a point is still on it.
+constexpr double tie = 1e-9;
+
+}  // namespace
+
 CellSubdivision::CellSubdivision(const MeshView& mesh) : centre_(mesh.centre), volume_(mesh.volume)
 {
     look_at_faces(mesh);
@@ -20,7 +27,8 @@ void CellSubdivision::look_at_faces(const MeshView& mesh)
         const Vector normal = face.area.normalized();
         for (std::size_t k = 0; k < face.points.size(); ++k) {
             const auto point = [&](std::size_t n) -> Vector {
-                const Vector x = mesh.points[static_cast<std::size_t>(face.points[n % face.points.size()])] - face.centre;
+                const Vector x =
+                    mesh.points[static_cast<std::size_t>(face.points[n % face.points.size()])] - face.centre;
                 return x - normal.dot(x) * normal;
             };
             const Vector middle = 0.5 * (point(k) + point(k + 1)), half = 0.5 * (point(k + 1) - point(k));
@@ -63,10 +71,40 @@ void CellSubdivision::look_at_cells(const MeshView& mesh)
     }
 }
 
+CellSubdivision::OnFace CellSubdivision::seen_from_cell(const Vector& x, std::size_t side) const
+{
+    const double out = sides_[side].gauge.dot(x);
+    OnFace at{side, 0, out, 0, 0};
+    const auto face = static_cast<std::size_t>(face_of_side_[side]);
+    const Vector y = x / out - sides_[side].to_face;
+    const auto along = [&](std::size_t edge, double aside) {
+        return aside > 0 ? edges_[edge].along.dot(y) / aside - edges_[edge].middle : 0.0;
+    };
+    at.edge = first_edge_[face];
+    for (std::size_t e = first_edge_[face]; e < first_edge_[face + 1]; ++e) {
+        const double reached = edges_[e].gauge.dot(y);
+        if (reached > at.aside) {
+            at.aside = reached;
+            at.edge = e;
+        }
+    }
+    at.along = along(at.edge, at.aside);
+    if (std::abs(at.along) <= 1 + tie) return at;
+    // beside the edge: another one in the same line, or a face that is not convex
+    for (std::size_t e = first_edge_[face]; e < first_edge_[face + 1]; ++e) {
+        const double reached = edges_[e].gauge.dot(y);
+        if (!(reached > 0) || !(std::abs(along(e, reached)) < std::abs(at.along))) continue;
+        at.edge = e;
+        at.aside = reached;
+        at.along = along(e, reached);
+    }
+    return at;
+}
+
 CellSubdivision::Place CellSubdivision::place(const Vector& point, std::size_t cell) const
 {
     const Vector x = point - centre_[cell];
-    double out = 0;  // 0 at the centre, 1 on the sides
+    double out = 0;
     std::size_t side = first_side_[cell];
     for (std::size_t s = first_side_[cell]; s < first_side_[cell + 1]; ++s) {
         const double reached = sides_[s].gauge.dot(x);
@@ -75,26 +113,23 @@ CellSubdivision::Place CellSubdivision::place(const Vector& point, std::size_t c
             side = s;
         }
     }
-    const auto face = static_cast<std::size_t>(face_of_side_[side]);
-    Place place{static_cast<int>(face), 0, 0, 1, 0, 0, 0};
-    if (!(out > 0)) return place;
+    if (!(out > 0)) return {face_of_side_[side], 0, 0, 1, 0, 0, 0};
 
-    const Vector y = x / out - sides_[side].to_face;
-    double aside = 0;  // 0 at the centre of the face, 1 on its edges
-    std::size_t edge = first_edge_[face];
-    for (std::size_t e = first_edge_[face]; e < first_edge_[face + 1]; ++e) {
-        const double reached = edges_[e].gauge.dot(y);
-        if (reached > aside) {
-            aside = reached;
-            edge = e;
+    OnFace at = seen_from_cell(x, side);
+    if (at.aside > 1 + tie)
+        // beside the face: another one in the same plane, or a cell that is not convex
+        for (std::size_t s = first_side_[cell]; s < first_side_[cell + 1]; ++s) {
+            if (!(sides_[s].gauge.dot(x) > 0)) continue;
+            const OnFace other = seen_from_cell(x, s);
+            if (other.aside < at.aside) at = other;
         }
-    }
-    double along = 0;  // -1 and 1 at the ends of the edge
-    if (aside > 0) along = std::clamp(edges_[edge].along.dot(y) / aside - edges_[edge].middle, -1.0, 1.0);
-    aside = std::min(aside, 1.0);
-    out = std::min(out, 1.0);
 
-    const std::size_t number = edge - first_edge_[face];
+    const double aside = std::min(at.aside, 1.0), along = std::clamp(at.along, -1.0, 1.0);
+    out = std::min(at.out, 1.0);
+    const auto face = static_cast<std::size_t>(face_of_side_[at.side]);
+    const std::size_t number = at.edge - first_edge_[face];
+    Place place{};
+    place.face = static_cast<int>(face);
     place.edge = static_cast<int>(number);
     place.corner = static_cast<int>(along > 0 ? (number + 1) % corners(face) : number);
     place.in_cell = 1 - out;

@@ -41,8 +41,9 @@ public:
 private:
     /// A face as its cell's centre sees it.
     struct Side {
-        Vector gauge = Vector::Zero();  ///< gauge . (x - centre of the cell) is 1 on the plane of the face, or 0: not seen
-        Vector to_face;                 ///< from the centre of the cell to that of the face [m]
+        Vector gauge =
+            Vector::Zero();  ///< gauge . (x - centre of the cell) is 1 on the plane of the face, or 0: not seen
+        Vector to_face;      ///< from the centre of the cell to that of the face [m]
     };
     /// An edge as the centre of its face sees it.
     struct Edge {
@@ -51,6 +52,15 @@ private:
         double middle = 0;
         double area = 0;  ///< of the triangle between it and the centre of the face [m2]
     };
+
+    /// Where the ray from a cell's centre through a point meets the plane of a face.
+    struct OnFace {
+        std::size_t side, edge;
+        double out;    ///< of the point on the way: 0 at the centre, 1 on the face
+        double aside;  ///< 0 at the centre of the face, 1 on its edges
+        double along;  ///< -1 and 1 at the ends of the edge
+    };
+    OnFace seen_from_cell(const Vector& x, std::size_t side) const;
 
     void look_at_faces(const MeshView& mesh);
     void look_at_cells(const MeshView& mesh);
