@@ -16,11 +16,11 @@ namespace interphase {
 /// middle of its face, 1/8 at its corner and 0 at its neighbours' centres, as cloud-in-cell's is (Hockney and Eastwood,
 /// Computer Simulation Using Particles, 1988, ch. 5). It changes continuously as a particle moves, on any mesh, and a
 /// uniform density of particles fills every cell alike.
+///
+/// Joints that ranks share keep an entry of their own beside the cells, and are summed over the ranks.
 class CellWeights {
 public:
-    CellWeights(const Joints& joints, const CellSubdivision& subdivision, std::size_t cells)
-        : joints_(joints), subdivision_(subdivision), cells_(cells), number_(joints.count(), unused)
-    {}
+    CellWeights(const Joints& joints, const CellSubdivision& subdivision, std::size_t cells);
 
     /// Forgets all particles.
     void clear();
@@ -36,58 +36,67 @@ public:
     template <class Record>
     void deposit(const std::vector<Record>& of_particles, std::vector<Record>& of_cells) const
     {
-        std::vector<Record> of_joints(used_.size(), Record{});
+        of_cells.resize(cells_ + joints_.shared().size(), Record{});
         for (std::size_t i = 0; i < particles(); ++i) {
             const Numbers<Record> q = numbers(of_particles[particle_[i]]);
             for (std::size_t k = first_[i]; k < first_[i + 1]; ++k)
-                numbers(of_joints[entries_[k].joint]) += entries_[k].weight * q;
+                numbers(of_cells[entries_[k].place]) += entries_[k].weight * q;
         }
-        joints_.sum_shared(of_joints);
-        for (std::size_t n = 0; n < used_.size(); ++n) {
-            const Numbers<Record> q = numbers(of_joints[n]);
-            for (const auto* share = joints_.shares_begin(used_[n]); share != joints_.shares_end(used_[n]); ++share)
-                numbers(of_cells[static_cast<std::size_t>(share->cell)]) += share->part * q;
-        }
+        std::vector<Record> of_shared = joints_at_the_end(of_cells);
+        joints_.sum_shared(of_shared);
+        for (std::size_t n = 0; n < of_shared.size(); ++n)
+            for (const Joints::Share& share : joints_.shares(joints_.shared()[n]))
+                numbers(of_cells[static_cast<std::size_t>(share.cell)]) += share.part * numbers(of_shared[n]);
+        of_cells.resize(cells_);
     }
 
     /// sum_c w_ic q_c for each particle, written to `of_particles` at its number. Collective.
     template <class Record>
-    void interpolate(const std::vector<Record>& of_cells, std::vector<Record>& of_particles) const
+    void interpolate(std::vector<Record>& of_cells, std::vector<Record>& of_particles) const
     {
-        std::vector<Record> of_joints(used_.size());
-        for (std::size_t n = 0; n < used_.size(); ++n) {
-            Numbers<Record> q = Numbers<Record>::Zero();
-            for (const auto* share = joints_.shares_begin(used_[n]); share != joints_.shares_end(used_[n]); ++share)
-                q += share->part * numbers(of_cells[static_cast<std::size_t>(share->cell)]);
-            numbers(of_joints[n]) = q;
-        }
-        joints_.sum_shared(of_joints);
+        std::vector<Record> of_shared(joints_.shared().size(), Record{});
+        for (std::size_t n = 0; n < of_shared.size(); ++n)
+            for (const Joints::Share& share : joints_.shares(joints_.shared()[n]))
+                numbers(of_shared[n]) += share.part * numbers(of_cells[static_cast<std::size_t>(share.cell)]);
+        joints_.sum_shared(of_shared);
+        of_cells.insert(of_cells.end(), of_shared.begin(), of_shared.end());
         for (std::size_t i = 0; i < particles(); ++i) {
             Numbers<Record> q = Numbers<Record>::Zero();
             for (std::size_t k = first_[i]; k < first_[i + 1]; ++k)
-                q += entries_[k].weight * numbers(of_joints[entries_[k].joint]);
+                q += entries_[k].weight * numbers(of_cells[entries_[k].place]);
             numbers(of_particles[particle_[i]]) = q;
         }
+        of_cells.resize(cells_);
     }
 
 private:
-    static constexpr int unused = -1;
+    static constexpr int nowhere = -1;
 
     struct Entry {
-        std::size_t joint;  ///< place in used_
+        std::size_t place;  ///< a cell, or behind the cells a shared joint
         double weight;
     };
 
+    template <class Record>
+    std::vector<Record> joints_at_the_end(const std::vector<Record>& of_cells) const
+    {
+        return std::vector<Record>(of_cells.begin() + static_cast<std::ptrdiff_t>(cells_), of_cells.end());
+    }
+
+    void make_room(std::size_t entries);
     void add(int joint, double weight);
+    void add_at(int place, double weight);
+    void end_particle(std::size_t particle);
 
     const Joints& joints_;
     const CellSubdivision& subdivision_;
     std::size_t cells_;
-    std::vector<int> number_;  ///< of each joint: its place in used_, or unused
-    std::vector<int> used_;    ///< joints that some particle touches; first those that ranks share
+    std::vector<int> place_of_joint_;  ///< of the shared ones, or nowhere
+    std::vector<int> entry_at_;        ///< of the particle that is being added, at each place; or nowhere
     std::vector<std::size_t> particle_;
     std::vector<std::size_t> first_{0};  ///< entry of each particle, and one past the last
-    std::vector<Entry> entries_;
+    std::vector<Entry> entries_;         ///< what follows the last is spare
+    std::size_t used_ = 0;
 };
 
 }  // namespace interphase

@@ -37,10 +37,21 @@ public:
         int cell;  ///< of this rank
         double part;
     };
-    const Share* shares_begin(int joint) const { return shares_.data() + first_share_[static_cast<std::size_t>(joint)]; }
-    const Share* shares_end(int joint) const
+    class Shares {
+    public:
+        Shares(const Share* begin, const Share* end) : begin_(begin), end_(end) {}
+        const Share* begin() const { return begin_; }
+        const Share* end() const { return end_; }
+        std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
+
+    private:
+        const Share *begin_, *end_;
+    };
+    /// Of the cells of this rank at a joint.
+    Shares shares(int joint) const
     {
-        return shares_.data() + first_share_[static_cast<std::size_t>(joint) + 1];
+        const auto j = static_cast<std::size_t>(joint);
+        return {shares_.data() + first_share_[j], shares_.data() + first_share_[j + 1]};
     }
 
     /// Replaces the values of the shared joints, `values[i]` that of shared()[i], by their sums over the ranks that share
