@@ -41,6 +41,8 @@ def read_field(folder, time, name, cells):
     if re.match(r"internalField\s+uniform", internal):
         values = _numbers(internal[internal.index("uniform") + 7:].strip().rstrip(";"))
         return numpy.tile(values, (cells, 1)).squeeze(axis=1) if len(values) == 1 else numpy.tile(values, (cells, 1))
+    if cells == 0:
+        return numpy.empty(0)
     values = _list(internal[internal.index(">") + 1:])
     return values if len(values) == cells else values.reshape(cells, -1)
 

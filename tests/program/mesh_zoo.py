@@ -130,12 +130,12 @@ def filled(size, mesh, **options):
     return mesh, functools.partial(lattice, (0, 0, 0), size, **options)
 
 
-def column(*steps, cells=(4, 4, 8), cell=2 * A, grading=("1", "1", "1"), periodic="", **options):
+def column(*steps, cells=(4, 4, 8), cell=2 * A, grading=("1", "1", "1"), periodic="", unresolved="", **options):
     """A box of hexahedra on which `steps`, functions of the folder, are done one after another."""
     size = numpy.multiply(cells, cell)
 
     def mesh(folder):
-        meshes.box(folder, size, cells, grading, periodic)
+        meshes.box(folder, size, cells, grading, periodic, unresolved)
         for step in steps:
             step(folder, size)
 
@@ -211,6 +211,21 @@ for axes in ("x", "xy", "xyz"):
                           shift=[s * (axis in axes) for s, axis in zip(SHIFT, "xyz")]))  # fmt: skip
 scene("cyclic_refined", "lower half refined 2:1, cyclic in x and y", periodic="xy")(
     lambda: column(refine_half, periodic="xy", shift=(*SHIFT[:2], 0)))  # fmt: skip
+scene("own_neighbour", "one cell of 3 d across, cyclic in x, y and z", periodic="xyz")(
+    lambda: column(cells=(1, 1, 4), periodic="xyz", shift=SHIFT))  # fmt: skip
+scene("two_across", "two cells of 3 d across, cyclic in x, y and z", periodic="xyz")(
+    lambda: column(cells=(2, 2, 4), periodic="xyz", shift=SHIFT))  # fmt: skip
+scene("flat", "one layer of cells between empty patches")(lambda: column(cells=(6, 1, 8), unresolved="y"))
+
+
+def in_the_middle(folder, size, **options):
+    meshes.baffle(folder, float(size[0] / 2), **options)
+
+
+scene("short_baffle", "a baffle without thickness that ends in the packing")(
+    lambda: column(lambda folder, size: in_the_middle(folder, size, high=(1.0, float(size[2] / 2 + 1e-6)))))  # fmt: skip
+scene("joined_baffle", "a cyclic pair in place of faces within the packing")(
+    lambda: column(lambda folder, size: in_the_middle(folder, size, joined=True)))  # fmt: skip
 
 
 @scene("baffle", "a packed and an empty column parted by a baffle without thickness",
@@ -220,7 +235,7 @@ def _():
 
     def mesh(folder):
         meshes.box(folder, size, (8, 4, 4))
-        meshes.baffle(folder, float(size[0] / 2))
+        in_the_middle(folder, size)
 
     return mesh, lambda: lattice((0, 0, 0), size / (2, 1, 1))
 

@@ -32,15 +32,18 @@ def vector(v):
     return "({!r} {!r} {!r})".format(*map(float, v))
 
 
-def box(folder, size, cells, grading=("1", "1", "1"), periodic=""):
-    """Hexahedra; `grading` per axis as blockMesh takes it; axes in `periodic` have cyclic sides. The top is the patch `open`."""
+def box(folder, size, cells, grading=("1", "1", "1"), periodic="", unresolved=""):
+    """Hexahedra; `grading` per axis as blockMesh takes it; axes in `periodic` have cyclic sides, those in `unresolved` empty
+    ones. The top is the patch `open`."""
     corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
     sides = {"x": ("0 4 7 3", "1 2 6 5"), "y": ("0 1 5 4", "3 7 6 2"), "z": ("0 3 2 1", "4 5 6 7")}
     patches = ""
     for axis in AXES:
         for side in range(2):
             name, kind = f"{axis}{side}", "type wall;"
-            if axis in periodic:
+            if axis in unresolved:
+                kind = "type empty;"
+            elif axis in periodic:
                 kind = f"type cyclic; neighbourPatch {axis}{1 - side};"
             elif name == "z1":
                 name, kind = "open", "type patch;"
@@ -191,12 +194,18 @@ mergeTolerance 1e-6;""")
     tool(folder, "snappyHexMesh", "-overwrite")
 
 
-def baffle(folder, x):
-    """A wall without thickness in the plane `x` [m], made of the faces there."""
+def baffle(folder, x, low=(-1, -1), high=(1, 1), joined=False):
+    """A wall without thickness in the plane `x` [m], made of the faces there between `low` and `high` in y and z; or, where
+    `joined`, a cyclic pair in the same place, which parts nothing."""
+    box_ = f"({x - 1e-6!r} {low[0]!r} {low[1]!r}) ({x + 1e-6!r} {high[0]!r} {high[1]!r})"
     dictionary(folder, "topoSetDict", "actions ("
-               f"{{ name plane; type faceSet; action new; source boxToFace; box ({x - 1e-6!r} -1 -1) ({x + 1e-6!r} 1 1); }}"
+               f"{{ name plane; type faceSet; action new; source boxToFace; box {box_}; }}"
                "{ name plane; type faceZoneSet; action new; source setToFaceZone; faceSet plane; });")  # fmt: skip
     tool(folder, "topoSet")
-    dictionary(folder, "createBafflesDict", "internalFacesOnly true; baffles { plane { type faceZone; zoneName plane; "
-               "patches { master { name baffle; type wall; } slave { name baffle; type wall; } } } }")  # fmt: skip
+    halves = "".join(
+        f"{half} {{ name {half}; type cyclic; neighbourPatch {other}; }}" if joined else f"{half} {{ name baffle; type wall; }}"
+        for half, other in (("master", "slave"), ("slave", "master"))
+    )
+    dictionary(folder, "createBafflesDict", "internalFacesOnly true; baffles { plane { type faceZone; zoneName plane; patches "
+               f"{{ {halves} }} }} }}")  # fmt: skip
     tool(folder, "createBaffles", "-overwrite")
