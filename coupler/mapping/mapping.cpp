@@ -10,11 +10,9 @@ namespace {
 
 double diameter_of(double volume) { return std::cbrt(6 / M_PI * volume); }
 
-/// Of a Gaussian of that width at half height.
+/// Of a Gaussian of that width at half height. Widths of kernels one after the other add as their squares; that of the
+/// weights is the distance between the cells.
 double variance_of(double width) { return width * width / (8 * std::log(2.0)); }
-
-/// Of what the weights do in a uniform grid of boxes: those of a hat.
-double variance_of_weights(double distance) { return distance * distance / 6; }
 
 }  // namespace
 
@@ -22,15 +20,17 @@ Mapping::Mapping(const Communicator& comm, const MeshView& mesh, const MappingRu
     : comm_(comm),
       rules_(rules),
       cells_(comm, mesh),
-      subdivision_(mesh),
-      joints_(comm, mesh, subdivision_),
+      numbering_(comm, mesh),
+      subdivision_(mesh, numbering_),
+      joints_(comm, numbering_, subdivision_, mesh.size()),
+      corner_cells_(subdivision_, joints_),
       limit_(cells_, comm, rules.maximum_packing)
 {}
 
 int Mapping::octave_of(double volume) const
 {
     if (rules_.width > 0 || rules_.type == MappingType::cell_centre) return 0;
-    return static_cast<int>(std::lround(std::log2(diameter_of(volume) / reference_)));
+    return static_cast<int>(std::ceil(std::log2(diameter_of(volume) / reference_) - 1e-6));
 }
 
 void Mapping::cover(const Scalars& volumes)
@@ -58,7 +58,7 @@ void Mapping::cover(const Scalars& volumes)
     const auto half_variance = [&](int octave, double distance) {
         const double width =
             rules_.width > 0 ? rules_.width : rules_.width_in_diameters * reference_ * std::exp2(octave);
-        return 0.5 * std::max(0.0, variance_of(width) - variance_of_weights(distance));
+        return 0.5 * std::max(0.0, variance_of(width) - variance_of(distance));
     };
     for (int octave = first; octave <= last; ++octave) {
         const auto beside_those_before = [&](double distance) {
@@ -66,7 +66,7 @@ void Mapping::cover(const Scalars& volumes)
             return half_variance(octave, distance) - (octave > first ? half_variance(octave - 1, distance) : 0.0);
         };
         classes_.push_back({Diffusion(cells_, comm_, beside_those_before),
-                            CellWeights(joints_, subdivision_, cells_.own_count())});
+                            CellWeights(joints_, subdivision_, corner_cells_, cells_.own_count())});
     }
 }
 

@@ -78,8 +78,10 @@ private:
     Communicator comm_;
     MappingRules rules_;
     CellGraph cells_;
+    JointNumbering numbering_;
     CellSubdivision subdivision_;
     Joints joints_;
+    CornerCells corner_cells_;
     PackingLimit limit_;
     std::size_t particles_ = 0;
 
