@@ -3,9 +3,11 @@
 
 namespace interphase {
 
-CellWeights::CellWeights(const Joints& joints, const CellSubdivision& subdivision, std::size_t cells)
+CellWeights::CellWeights(const Joints& joints, const CellSubdivision& subdivision, const CornerCells& corner_cells,
+                         std::size_t cells)
     : joints_(joints),
       subdivision_(subdivision),
+      corner_cells_(corner_cells),
       cells_(cells),
       place_of_joint_(joints.count(), nowhere),
       entry_at_(cells + joints.shared().size(), nowhere)
@@ -69,39 +71,38 @@ void CellWeights::add_to_cell(std::size_t particle, int cell)
 void CellWeights::add_spread(std::size_t particle, const Vector& position, int cell)
 {
     const CellSubdivision::Place at = subdivision_.place(position, static_cast<std::size_t>(cell));
-    const int corner = joints_.of_corner(at.face, at.corner);
-    const int edge = joints_.of_edge(at.face, at.edge), face = joints_.of_face(at.face);
-    if (place_of_joint_[static_cast<std::size_t>(corner)] != nowhere) {
-        make_room(1);
-        add_at(cell, at.in_cell);
-        add(face, at.on_face);
-        add(edge, at.on_edge);
-        add(corner, at.on_corner);
-        end_particle(particle);
+    const CornerCells::Cells& cells = corner_cells_.at(at.corner);
+    if (cells.is_even()) {
+        // each joint's function in equal parts to its cells, two, four or eight: the products again, of halves
+        make_room(8);
+        std::array<double, 3> over;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            over[axis] = 0.5 * cells.open[axis] * at.smoothed[axis];
+        for (unsigned bits = 0; bits < 8; ++bits) {
+            entries_[used_] = {static_cast<std::size_t>(cells.cell[bits]), (bits & 1 ? over[0] : 1 - over[0]) *
+                                                                               (bits & 2 ? over[1] : 1 - over[1]) *
+                                                                               (bits & 4 ? over[2] : 1 - over[2])};
+            used_ += cells.cell[bits] >= 0;
+        }
+        particle_.push_back(particle);
+        first_.push_back(used_);
         return;
     }
-    // The cells of a face are among those of its edge, these among those of its corner, all of them in ascending order.
-    const Joints::Shares shares = joints_.shares(corner);
-    make_room(shares.size());
-    Entry* const begin = &entries_[used_];
-    Entry* entry = begin;
-    for (const Joints::Share& share : shares)
-        *entry++ = {static_cast<std::size_t>(share.cell), share.part * at.on_corner};
-    const auto add_to_these = [begin](const Joints::Shares& some, double weight) {
-        Entry* to = begin;
-        for (const Joints::Share& share : some) {
-            while (to->place != static_cast<std::size_t>(share.cell))
-                ++to;
-            to->weight += share.part * weight;
-        }
-    };
-    add_to_these(joints_.shares(edge), at.on_edge);
-    add_to_these(joints_.shares(face), at.on_face);
-    const Joints::Share own{cell, 1.0};
-    add_to_these({&own, &own + 1}, at.in_cell);
-    used_ += shares.size();
-    particle_.push_back(particle);
-    first_.push_back(used_);
+    add_joints(at, 1.0);
+    end_particle(particle);
+}
+
+void CellWeights::add_point(const Vector& position, int cell, double share)
+{
+    add_joints(subdivision_.place(position, static_cast<std::size_t>(cell)), share);
+}
+
+void CellWeights::add_joints(const CellSubdivision::Place& at, double share)
+{
+    const CellSubdivision::Corner& corner = subdivision_.corner(at.corner);
+    const std::array<double, 8> functions = at.functions();
+    for (std::size_t n = 0; n < 8; ++n)
+        if (corner[n] >= 0) add(corner[n], share * functions[n]);
 }
 
 }  // namespace interphase

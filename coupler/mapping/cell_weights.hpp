@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mapping/cell_subdivision.hpp"
+#include "mapping/corner_cells.hpp"
 #include "mapping/joints.hpp"
 
 namespace interphase {
@@ -11,16 +12,17 @@ namespace interphase {
 /// The weights w_ic with which particle i belongs to cell c; sum_c w_ic = 1 for each i. The same weights carry particle
 /// data to the cells and gas data back, which is what conserves momentum between the two.
 ///
-/// w_ic = sum_j N_j(x_i) S_jc: the functions N_j that are linear in each tetrahedron of the subdivided mesh, and the
-/// cells' shares S_jc of the joints they belong to. On a uniform grid of boxes w is 1 at a cell's centre, 1/2 at the
-/// middle of its face, 1/8 at its corner and 0 at its neighbours' centres, as cloud-in-cell's is (Hockney and Eastwood,
-/// Computer Simulation Using Particles, 1988, ch. 5). It changes continuously as a particle moves, on any mesh, and a
-/// uniform density of particles fills every cell alike.
+/// w_ic = sum_j N_j(x_i) S_jc: the functions N_j of the joints of the subdivided mesh, and the cells' shares S_jc of
+/// them. On a uniform grid of boxes w is 1 at a cell's centre, 1/2 at the middle of its face, 1/8 at its corner and 0
+/// at its neighbours' centres, as cloud-in-cell's is (Hockney and Eastwood, Computer Simulation Using Particles, 1988,
+/// ch. 5). It changes continuously as a particle moves, on any mesh, and a uniform density of particles fills every
+/// cell alike.
 ///
 /// Joints that ranks share keep an entry of their own beside the cells, and are summed over the ranks.
 class CellWeights {
 public:
-    CellWeights(const Joints& joints, const CellSubdivision& subdivision, std::size_t cells);
+    CellWeights(const Joints& joints, const CellSubdivision& subdivision, const CornerCells& corner_cells,
+                std::size_t cells);
 
     /// Forgets all particles.
     void clear();
@@ -29,6 +31,10 @@ public:
     void add_to_cell(std::size_t particle, int cell);
     /// The same, spread as above.
     void add_spread(std::size_t particle, const Vector& position, int cell);
+
+    /// One of the points that stand for a particle, with its share of it; the particle follows with the last of them.
+    void add_point(const Vector& position, int cell, double share);
+    void end_particle(std::size_t particle);
 
     std::size_t particles() const { return particle_.size(); }
 
@@ -84,12 +90,13 @@ private:
     }
 
     void make_room(std::size_t entries);
+    void add_joints(const CellSubdivision::Place& at, double share);
     void add(int joint, double weight);
     void add_at(int place, double weight);
-    void end_particle(std::size_t particle);
 
     const Joints& joints_;
     const CellSubdivision& subdivision_;
+    const CornerCells& corner_cells_;
     std::size_t cells_;
     std::vector<int> place_of_joint_;  ///< of the shared ones, or nowhere
     std::vector<int> entry_at_;        ///< of the particle that is being added, at each place; or nowhere

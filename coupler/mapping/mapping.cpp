@@ -4,17 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mapping/sphere_points.hpp"
+
 namespace interphase {
 
 namespace {
 
 double diameter_of(double volume) { return std::cbrt(6 / M_PI * volume); }
 
-/// Of a Gaussian of that width at half height.
+/// Of a Gaussian of that width at half height. Widths of kernels one after the other add as their squares; that of the
+/// weights is the distance between the cells.
 double variance_of(double width) { return width * width / (8 * std::log(2.0)); }
-
-/// Of what the weights do in a uniform grid of boxes: those of a hat.
-double variance_of_weights(double distance) { return distance * distance / 6; }
 
 }  // namespace
 
@@ -22,15 +22,19 @@ Mapping::Mapping(const Communicator& comm, const MeshView& mesh, const MappingRu
     : comm_(comm),
       rules_(rules),
       cells_(comm, mesh),
-      subdivision_(mesh),
-      joints_(comm, mesh, subdivision_),
+      numbering_(comm, mesh),
+      subdivision_(mesh, numbering_),
+      joints_(comm, numbering_, subdivision_, mesh.size()),
+      corner_cells_(subdivision_, joints_),
+      paths_(mesh, subdivision_),
+      guests_(comm, mesh, paths_),
       limit_(cells_, comm, rules.maximum_packing)
 {}
 
 int Mapping::octave_of(double volume) const
 {
     if (rules_.width > 0 || rules_.type == MappingType::cell_centre) return 0;
-    return static_cast<int>(std::lround(std::log2(diameter_of(volume) / reference_)));
+    return static_cast<int>(std::ceil(std::log2(diameter_of(volume) / reference_) - 1e-6));
 }
 
 void Mapping::cover(const Scalars& volumes)
@@ -55,19 +59,42 @@ void Mapping::cover(const Scalars& volumes)
     }
     first_octave_ = first;
     classes_.clear();
-    const auto half_variance = [&](int octave, double distance) {
-        const double width =
-            rules_.width > 0 ? rules_.width : rules_.width_in_diameters * reference_ * std::exp2(octave);
-        return 0.5 * std::max(0.0, variance_of(width) - variance_of_weights(distance));
-    };
     for (int octave = first; octave <= last; ++octave) {
+        const double width = width_of(octave);
+        const bool as_points = needs_points(width);
         const auto beside_those_before = [&](double distance) {
             if (rules_.type == MappingType::cell_centre) return 0.0;
-            return half_variance(octave, distance) - (octave > first ? half_variance(octave - 1, distance) : 0.0);
+            double more = half_variance(width, as_points, distance);
+            if (octave > first) more -= half_variance(classes_.back().width, classes_.back().as_points, distance);
+            return std::max(0.0, more);
         };
-        classes_.push_back({Diffusion(cells_, comm_, beside_those_before),
-                            CellWeights(joints_, subdivision_, cells_.own_count())});
+        Diffusion diffusion(cells_, comm_, beside_those_before);
+        classes_.push_back({width, as_points, std::move(diffusion),
+                            CellWeights(joints_, subdivision_, corner_cells_, cells_.own_count())});
     }
+}
+
+double Mapping::width_of(int octave) const
+{
+    return rules_.width > 0 ? rules_.width : rules_.width_in_diameters * reference_ * std::exp2(octave);
+}
+
+bool Mapping::needs_points(double width) const
+{
+    // Wider cells blur a packing's pattern with their own weights, in narrower ones diffusion does.
+    constexpr double widest = 1.05, narrowest = 0.22;
+    if (rules_.type == MappingType::cell_centre) return false;
+    bool some = false;
+    for (std::size_t c = 0; c < cells_.own_count() && !some; ++c)
+        for (auto link = cells_.links_begin(c); link != cells_.links_end(c); ++link)
+            some |= link->distance > narrowest * width && link->distance < widest * width;
+    return comm_.any(some);
+}
+
+double Mapping::half_variance(double width, bool as_points, double distance) const
+{
+    const double of_points = as_points ? SpherePoints::variance * width * width / 4 : 0.0;
+    return 0.5 * std::max(0.0, variance_of(width) - variance_of(distance) - of_points);
 }
 
 void Mapping::place(const Vectors& positions, const std::vector<int>& cells, const Scalars& volumes)
@@ -76,14 +103,42 @@ void Mapping::place(const Vectors& positions, const std::vector<int>& cells, con
     cover(volumes);
     for (SizeClass& sizes : classes_)
         sizes.weights.clear();
+    bool some_as_points = false;
+    for (const SizeClass& sizes : classes_)
+        some_as_points |= sizes.as_points;
     for (std::size_t i = 0; i < particles_; ++i) {
         const int octave = classes_.size() > 1 ? octave_of(volumes[i]) - first_octave_ : 0;
-        CellWeights& weights = classes_[static_cast<std::size_t>(octave)].weights;
-        if (rules_.type == MappingType::kernel)
-            weights.add_spread(i, positions[i], cells[i]);
+        SizeClass& sizes = classes_[static_cast<std::size_t>(octave)];
+        if (rules_.type == MappingType::cell_centre)
+            sizes.weights.add_to_cell(i, cells[i]);
+        else if (sizes.as_points)
+            add_as_points(sizes, i, positions[i], cells[i], octave);
         else
-            weights.add_to_cell(i, cells[i]);
+            sizes.weights.add_spread(i, positions[i], cells[i]);
     }
+    if (!some_as_points) return;
+    for (const Guests::Point& guest : guests_.arrive(particles_)) {
+        CellWeights& weights = classes_[static_cast<std::size_t>(guest.octave)].weights;
+        weights.add_point(subdivision_.centre(static_cast<std::size_t>(guest.path.cell)) + guest.path.to,
+                          guest.path.cell, guest.share);
+        weights.end_particle(static_cast<std::size_t>(guest.particle));
+    }
+    some_have_guests_ = comm_.any(guests_.count() > 0);
+}
+
+void Mapping::add_as_points(SizeClass& sizes, std::size_t particle, const Vector& position, int cell, int octave)
+{
+    const Vector from = position - subdivision_.centre(static_cast<std::size_t>(cell));
+    for (const SpherePoints::Point& point : SpherePoints::all()) {
+        StraightPaths::Path path{cell, from, from + sizes.width / 2 * point.offset};
+        const int face = paths_.follow(path);
+        if (face >= 0)
+            guests_.leave(face, {path, point.share, comm_.rank(), static_cast<int>(particle), octave});
+        else
+            sizes.weights.add_point(subdivision_.centre(static_cast<std::size_t>(path.cell)) + path.to, path.cell,
+                                    point.share);
+    }
+    sizes.weights.end_particle(particle);
 }
 
 Scalars Mapping::solid_volume(const Scalars& of_particles)

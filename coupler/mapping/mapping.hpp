@@ -5,8 +5,10 @@
 
 #include "mapping/cell_weights.hpp"
 #include "mapping/diffusion.hpp"
+#include "mapping/guests.hpp"
 #include "mapping/mapping_type.hpp"
 #include "mapping/packing_limit.hpp"
+#include "mapping/straight_paths.hpp"
 
 namespace interphase {
 
@@ -43,26 +45,35 @@ public:
     void interpolate(std::vector<Record> of_cells, std::vector<Record>& of_particles) const
     {
         limit_.take_from_receivers(of_cells);
-        of_particles.resize(particles_);
+        of_particles.resize(particles_ + guests_.count());
         for (const SizeClass& sizes : classes_) {
             sizes.diffusion.smooth(of_cells);
             sizes.weights.interpolate(of_cells, of_particles);
         }
+        if (some_have_guests_) guests_.send_home(of_particles);
     }
 
     long cells_relieved() const { return limit_.cells_relieved(); }
-    std::size_t bytes_sent() const { return joints_.bytes_sent() + cells_.bytes_sent(); }
+    std::size_t bytes_sent() const { return joints_.bytes_sent() + cells_.bytes_sent() + guests_.bytes_sent(); }
 
 private:
     /// Particles whose diameters differ by less than an octave share a width. From the smallest to the largest: what a
     /// class diffuses beside those before it, and its particles.
     struct SizeClass {
+        double width;    ///< at half height [m]
+        bool as_points;  ///< as SpherePoints of a sphere of half that width
         Diffusion diffusion;
         CellWeights weights;
     };
 
     template <class Record>
     std::vector<Record> spread(const std::vector<Record>& of_particles) const
+    {
+        if (some_have_guests_) return spread_points(guests_.with_guests(of_particles));
+        return spread_points(of_particles);
+    }
+    template <class Record>
+    std::vector<Record> spread_points(const std::vector<Record>& of_particles) const
     {
         std::vector<Record> content(cells_.own_count(), Record{});
         for (auto sizes = classes_.rbegin(); sizes != classes_.rend(); ++sizes) {
@@ -73,15 +84,24 @@ private:
     }
 
     int octave_of(double volume) const;
+    double width_of(int octave) const;
+    bool needs_points(double width) const;
+    double half_variance(double width, bool as_points, double distance) const;
     void cover(const Scalars& volumes);
+    void add_as_points(SizeClass& sizes, std::size_t particle, const Vector& position, int cell, int octave);
 
     Communicator comm_;
     MappingRules rules_;
     CellGraph cells_;
+    JointNumbering numbering_;
     CellSubdivision subdivision_;
     Joints joints_;
+    CornerCells corner_cells_;
+    StraightPaths paths_;
+    Guests guests_;
     PackingLimit limit_;
     std::size_t particles_ = 0;
+    bool some_have_guests_ = false;  ///< on any rank
 
     int first_octave_ = 0;  ///< of classes_; an octave of diameters is numbered by its middle, 0 at reference_
     std::vector<SizeClass> classes_;
