@@ -34,7 +34,7 @@ Mapping::Mapping(const Communicator& comm, const MeshView& mesh, const MappingRu
 int Mapping::octave_of(double volume) const
 {
     if (rules_.width > 0 || rules_.type == MappingType::cell_centre) return 0;
-    return static_cast<int>(std::ceil(std::log2(diameter_of(volume) / reference_) - 1e-6));
+    return static_cast<int>(std::ceil(std::log2(diameter_of(volume) / octaves_.reference) - 1e-6));
 }
 
 void Mapping::cover(const Scalars& volumes)
@@ -48,24 +48,22 @@ void Mapping::cover(const Scalars& volumes)
     smallest = -of_all[0];
     largest = of_all[1];
     if (!(largest > 0)) return;  // nobody is there
-    if (reference_ == 0) reference_ = diameter_of(largest);
+    if (octaves_.reference == 0) octaves_.reference = diameter_of(largest);
+    octaves_.first = std::min(octaves_.first, octave_of(smallest));
+    octaves_.last = std::max(octaves_.last, octave_of(largest));
+    if (static_cast<int>(classes_.size()) != octaves_.last - octaves_.first + 1) make_classes();
+}
 
-    const int count = static_cast<int>(classes_.size());
-    int first = octave_of(smallest), last = octave_of(largest);
-    if (count > 0 && first >= first_octave_ && last < first_octave_ + count) return;
-    if (count > 0) {
-        first = std::min(first, first_octave_);
-        last = std::max(last, first_octave_ + count - 1);
-    }
-    first_octave_ = first;
+void Mapping::make_classes()
+{
     classes_.clear();
-    for (int octave = first; octave <= last; ++octave) {
+    for (int octave = octaves_.first; octave <= octaves_.last; ++octave) {
         const double width = width_of(octave);
         const bool as_points = needs_points(width);
         const auto beside_those_before = [&](double distance) {
             if (rules_.type == MappingType::cell_centre) return 0.0;
             double more = half_variance(width, as_points, distance);
-            if (octave > first) more -= half_variance(classes_.back().width, classes_.back().as_points, distance);
+            if (!classes_.empty()) more -= half_variance(classes_.back().width, classes_.back().as_points, distance);
             return std::max(0.0, more);
         };
         Diffusion diffusion(cells_, comm_, beside_those_before);
@@ -76,7 +74,7 @@ void Mapping::cover(const Scalars& volumes)
 
 double Mapping::width_of(int octave) const
 {
-    return rules_.width > 0 ? rules_.width : rules_.width_in_diameters * reference_ * std::exp2(octave);
+    return rules_.width > 0 ? rules_.width : rules_.width_in_diameters * octaves_.reference * std::exp2(octave);
 }
 
 bool Mapping::needs_points(double width) const
@@ -107,18 +105,18 @@ void Mapping::place(const Vectors& positions, const std::vector<int>& cells, con
     for (const SizeClass& sizes : classes_)
         some_as_points |= sizes.as_points;
     for (std::size_t i = 0; i < particles_; ++i) {
-        const int octave = classes_.size() > 1 ? octave_of(volumes[i]) - first_octave_ : 0;
-        SizeClass& sizes = classes_[static_cast<std::size_t>(octave)];
+        const int size_class = classes_.size() > 1 ? octave_of(volumes[i]) - octaves_.first : 0;
+        SizeClass& sizes = classes_[static_cast<std::size_t>(size_class)];
         if (rules_.type == MappingType::cell_centre)
             sizes.weights.add_to_cell(i, cells[i]);
         else if (sizes.as_points)
-            add_as_points(sizes, i, positions[i], cells[i], octave);
+            add_as_points(sizes, i, positions[i], cells[i], size_class);
         else
             sizes.weights.add_spread(i, positions[i], cells[i]);
     }
     if (!some_as_points) return;
     for (const Guests::Point& guest : guests_.arrive(particles_)) {
-        CellWeights& weights = classes_[static_cast<std::size_t>(guest.octave)].weights;
+        CellWeights& weights = classes_[static_cast<std::size_t>(guest.size_class)].weights;
         weights.add_point(subdivision_.centre(static_cast<std::size_t>(guest.path.cell)) + guest.path.to,
                           guest.path.cell, guest.share);
         weights.end_particle(static_cast<std::size_t>(guest.particle));
@@ -126,14 +124,14 @@ void Mapping::place(const Vectors& positions, const std::vector<int>& cells, con
     some_have_guests_ = comm_.any(guests_.count() > 0);
 }
 
-void Mapping::add_as_points(SizeClass& sizes, std::size_t particle, const Vector& position, int cell, int octave)
+void Mapping::add_as_points(SizeClass& sizes, std::size_t particle, const Vector& position, int cell, int size_class)
 {
     const Vector from = position - subdivision_.centre(static_cast<std::size_t>(cell));
     for (const SpherePoints::Point& point : SpherePoints::all()) {
         StraightPaths::Path path{cell, from, from + sizes.width / 2 * point.offset};
         const int face = paths_.follow(path);
         if (face >= 0)
-            guests_.leave(face, {path, point.share, comm_.rank(), static_cast<int>(particle), octave});
+            guests_.leave(face, {path, point.share, comm_.rank(), static_cast<int>(particle), size_class});
         else
             sizes.weights.add_point(subdivision_.centre(static_cast<std::size_t>(path.cell)) + path.to, path.cell,
                                     point.share);

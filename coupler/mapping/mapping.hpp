@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <climits>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "mapping/cell_weights.hpp"
 #include "mapping/diffusion.hpp"
 #include "mapping/guests.hpp"
@@ -53,6 +55,8 @@ public:
         if (some_have_guests_) guests_.send_home(of_particles);
     }
 
+    void keep(Archive& archive) { archive.keep("octaves", octaves_); }
+
     long cells_relieved() const { return limit_.cells_relieved(); }
     std::size_t bytes_sent() const { return joints_.bytes_sent() + cells_.bytes_sent() + guests_.bytes_sent(); }
 
@@ -88,7 +92,8 @@ private:
     bool needs_points(double width) const;
     double half_variance(double width, bool as_points, double distance) const;
     void cover(const Scalars& volumes);
-    void add_as_points(SizeClass& sizes, std::size_t particle, const Vector& position, int cell, int octave);
+    void make_classes();
+    void add_as_points(SizeClass& sizes, std::size_t particle, const Vector& position, int cell, int size_class);
 
     Communicator comm_;
     MappingRules rules_;
@@ -103,9 +108,14 @@ private:
     std::size_t particles_ = 0;
     bool some_have_guests_ = false;  ///< on any rank
 
-    int first_octave_ = 0;  ///< of classes_; an octave of diameters is numbered by its middle, 0 at reference_
+    /// Octaves of diameters that have been here, all of which keep a class: each ends at `reference` times a power of
+    /// two, the diameter of the largest particle that was there first [m].
+    struct Octaves {
+        double reference = 0;
+        int first = INT_MAX, last = INT_MIN;
+    };
+    Octaves octaves_;
     std::vector<SizeClass> classes_;
-    double reference_ = 0;  ///< diameter of the largest particle that was there first [m]
 };
 
 }  // namespace interphase

@@ -254,6 +254,7 @@ std::size_t CouplingStep::bytes_sent() const
 
 void CouplingStep::keep(Archive& archive)
 {
+    archive.keep("mapping", mapping_);
     archive.keep("forces", forces_);
     archive.keep("ledger", ledger_);
     archive.keep("watch", watch_);
