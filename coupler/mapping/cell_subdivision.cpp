@@ -291,21 +291,10 @@ void CellSubdivision::look_at_cells(const MeshView& mesh, const JointNumbering& 
     }
 }
 
-double CellSubdivision::aside(std::size_t side, const Vector& y) const
+CellSubdivision::OnFace CellSubdivision::seen_from_face(const Vector& y, std::size_t side) const
 {
-    const std::size_t face = at(sides_[side].face);
-    double most = 0;
-    for (std::size_t e = first_edge_[face]; e < first_edge_[face + 1]; ++e)
-        most = std::max(most, edges_[e].gauge.dot(y));
-    return most;
-}
-
-CellSubdivision::OnFace CellSubdivision::seen_from_cell(const Vector& x, std::size_t side) const
-{
-    const double out = sides_[side].gauge.dot(x);
-    OnFace at{side, 0, out, 0, 0};
+    OnFace at{side, 0, 1, 0, 0};
     const auto face = static_cast<std::size_t>(sides_[side].face);
-    const Vector y = x / out - sides_[side].to_face;
     const auto along = [&](std::size_t edge, double aside) {
         return aside > 0 ? edges_[edge].along.dot(y) / aside - edges_[edge].middle : 0.0;
     };
@@ -330,13 +319,21 @@ CellSubdivision::OnFace CellSubdivision::seen_from_cell(const Vector& x, std::si
     return at;
 }
 
+CellSubdivision::OnFace CellSubdivision::seen_from_cell(const Vector& x, std::size_t side) const
+{
+    const double out = sides_[side].gauge.dot(x);
+    OnFace at = seen_from_face(x / out - sides_[side].to_face, side);
+    at.out = out;
+    return at;
+}
+
 std::array<double, 8> CellSubdivision::Place::functions() const
 {
     const auto [a, b, c] = smoothed;
     return products ? interphase::products(a, b, c) : cones(a, b, c);
 }
 
-CellSubdivision::Place CellSubdivision::place_in_tetrahedron(const Vector& x, std::size_t cell) const
+CellSubdivision::OnFace CellSubdivision::met_by_ray(const Vector& x, std::size_t cell) const
 {
     double out = 0;
     std::size_t side = first_side_[cell];
@@ -347,8 +344,7 @@ CellSubdivision::Place CellSubdivision::place_in_tetrahedron(const Vector& x, st
             side = s;
         }
     }
-    Place place{wedges_[sides_[side].first_wedge].corner[0], has_simple_corners_[cell] != 0, {}};
-    if (!(out > 0)) return place;
+    if (!(out > 0)) return {side, 0, 0, 0, 0};
 
     OnFace on = seen_from_cell(x, side);
     if (on.aside > 1 + tie)
@@ -358,9 +354,17 @@ CellSubdivision::Place CellSubdivision::place_in_tetrahedron(const Vector& x, st
             const OnFace other = seen_from_cell(x, s);
             if (other.aside < on.aside) on = other;
         }
+    return on;
+}
+
+CellSubdivision::Place CellSubdivision::place_in_tetrahedron(const Vector& x, std::size_t cell) const
+{
+    const OnFace on = met_by_ray(x, cell);
+    Place place{wedges_[sides_[on.side].first_wedge].corner[0], has_simple_corners_[cell] != 0, {}};
+    if (!(on.out > 0)) return place;
 
     const double aside = std::min(on.aside, 1.0), along = std::min(std::abs(on.along), 1.0);
-    out = std::min(on.out, 1.0);
+    const double out = std::min(on.out, 1.0);
     const std::size_t end = on.along > 0 ? 1 : 0;
     const Wedge& wedge = wedges_[sides_[on.side].first_wedge + on.edge - first_edge_[at(sides_[on.side].face)]];
     place.corner = wedge.corner[end];

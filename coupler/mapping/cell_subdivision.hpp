@@ -47,7 +47,9 @@ public:
     const Side& side(std::size_t n) const { return sides_[n]; }
     /// How far from the centre of its face a point in the face's plane lies: 0 at the centre, 1 on an edge. `y` [m]
     /// from the centre of the face.
-    double aside(std::size_t side, const Vector& y) const;
+    double aside(std::size_t side, const Vector& y) const { return seen_from_face(y, side).aside; }
+    /// Whether a point, `x` [m] from the centre of a cell, is no farther out than the face in its direction.
+    bool holds(const Vector& x, std::size_t cell) const { return met_by_ray(x, cell).out <= 1; }
 
     /// A corner of a cell, or of one of its faces where more than three meet at some corner. Joints by the bits of
     /// their number: 1, 2, 4 are three faces there, 3, 5, 6 the edges between two of them, 7 the corner; 0 the cell's
@@ -154,7 +156,9 @@ private:
     std::size_t edges_of(std::size_t face) const { return first_edge_[face + 1] - first_edge_[face]; }
     void look_at_faces(const MeshView& mesh);
     void look_at_cells(const MeshView& mesh, const JointNumbering& joints);
+    OnFace seen_from_face(const Vector& y, std::size_t side) const;
     OnFace seen_from_cell(const Vector& x, std::size_t side) const;
+    OnFace met_by_ray(const Vector& x, std::size_t cell) const;
 
     Vectors centre_;
     Scalars volume_;

@@ -63,7 +63,7 @@ public:
 
 private:
     struct OnItsWay {
-        int to_rank, face, rank, particle, size_class;
+        int to_rank, face, faces, rank, particle, size_class;
         double share, at[3], to[3];
     };
 

@@ -43,7 +43,8 @@ StraightPaths::StraightPaths(const MeshView& mesh, const CellSubdivision& subdiv
 std::size_t StraightPaths::exit_of(const Path& path, double& share) const
 {
     std::size_t exit = none;
-    const auto beside = [&](std::size_t s, double t) {
+    double aside_of_exit = 0;
+    const auto aside_at = [&](std::size_t s, double t) {
         return subdivision_.aside(s, path.at + t * (path.to - path.at) - subdivision_.side(s).to_face);
     };
     share = 1;
@@ -53,18 +54,26 @@ std::size_t StraightPaths::exit_of(const Path& path, double& share) const
         const double from = gauge.dot(path.at), to = gauge.dot(path.to);
         if (!(to > 1) || !(to > from)) continue;
         const double t = std::max(0.0, (1 - from) / (to - from));
-        if (exit != none && t > share + tie) continue;
-        // several faces of a cell may lie in one plane
-        if (exit != none && t > share - tie && beside(s, t) >= beside(exit, share)) continue;
+        const double aside = aside_at(s, t);
+        // Planes that are reached beside their faces count only where no face is met. Several faces may lie in one.
+        if (exit != none) {
+            const bool meets = aside <= 1 + tie, exit_meets = aside_of_exit <= 1 + tie;
+            const bool is_first = t < share - tie || (t <= share + tie && aside < aside_of_exit);
+            if (meets == exit_meets ? !is_first : exit_meets) continue;
+        }
         exit = s;
         share = t;
+        aside_of_exit = aside;
     }
+    // Where a cell that is not convex goes on behind the plane of a face, the path may end there. Warped faces leave
+    // gaps.
+    if (exit != none && aside_of_exit > 1 + tie && subdivision_.holds(path.to, index(path.cell))) return none;
     return exit;
 }
 
 int StraightPaths::follow(Path& path) const
 {
-    for (int n = 0; n < most_faces; ++n) {
+    while (path.faces++ < most_faces) {
         double share;
         const std::size_t exit = exit_of(path, share);
         if (exit == none) return -1;
@@ -86,11 +95,11 @@ int StraightPaths::follow(Path& path) const
     return -1;
 }
 
-StraightPaths::Path StraightPaths::enter(int face, const Vector& at, const Vector& to) const
+StraightPaths::Path StraightPaths::enter(int face, const Vector& at, const Vector& to, int faces) const
 {
     const std::size_t side = index(side_of_owner_[index(face)]);
     const Vector& to_face = subdivision_.side(side).to_face;
-    return {cell_of_side_[side], at + to_face, to + to_face};
+    return {cell_of_side_[side], at + to_face, to + to_face, faces};
 }
 
 }  // namespace interphase

@@ -18,6 +18,7 @@ public:
     struct Path {
         int cell;
         Vector at, to;
+        int faces = 0;  ///< that it has met so far
     };
 
     /// Follows a path to its end on this rank. Returns the face of this rank through which it leaves for another, or -1
@@ -25,7 +26,7 @@ public:
     int follow(Path& path) const;
 
     /// Continues a path that has come from another rank through `face`, with `at` and `to` from the centre of the face.
-    Path enter(int face, const Vector& at, const Vector& to) const;
+    Path enter(int face, const Vector& at, const Vector& to, int faces) const;
 
 private:
     static constexpr int wall = -1, other_rank = -2;
