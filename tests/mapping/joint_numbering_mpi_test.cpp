@@ -23,14 +23,13 @@ struct Counts {
     long euler() const { return corners - edges + faces - cells; }
 };
 
-/// Labels are counted on the rank on which they began, which has them itself.
-long distinct(const std::vector<std::int64_t>& labels, const JointNumbering& numbering)
+/// Joints are counted on the rank that their labels began on, which has them itself.
+long distinct(const std::set<int>& joints, const JointNumbering& numbering)
 {
-    const auto rank = static_cast<std::size_t>(world().rank());
-    std::set<std::int64_t> begun;
-    for (const std::int64_t label : labels)
-        if (label >= numbering.first_of_rank[rank] && label < numbering.first_of_rank[rank + 1]) begun.insert(label);
-    return world().sum(static_cast<long>(begun.size()));
+    long begun = 0;
+    for (const int joint : joints)
+        begun += numbering.home(numbering.label(joint)) == world().rank();
+    return world().sum(begun);
 }
 
 MeshView part_of(const WholeMesh& mesh, unsigned seed)
@@ -41,9 +40,19 @@ MeshView part_of(const WholeMesh& mesh, unsigned seed)
 
 Counts count(const WholeMesh& mesh, unsigned seed = 1)
 {
-    const JointNumbering numbering(world(), part_of(mesh, seed));
-    return {distinct(numbering.of_corner, numbering), distinct(numbering.of_edge, numbering),
-            distinct(numbering.of_face, numbering), static_cast<long>(mesh.cells)};
+    const MeshView view = part_of(mesh, seed);
+    const JointNumbering numbering(world(), view);
+    std::set<int> corners, edges, faces;
+    for (std::size_t f = 0; f < view.faces.size(); ++f) {
+        faces.insert(numbering.of_face(static_cast<int>(f)));
+        for (std::size_t k = 0; k < view.faces[f].points.size(); ++k) {
+            corners.insert(numbering.of_corner(static_cast<int>(f), static_cast<int>(k)));
+            edges.insert(numbering.of_edge(static_cast<int>(f), static_cast<int>(k)));
+        }
+    }
+    EXPECT_EQ(numbering.count(), view.size() + corners.size() + edges.size() + faces.size());
+    return {distinct(corners, numbering), distinct(edges, numbering), distinct(faces, numbering),
+            static_cast<long>(mesh.cells)};
 }
 
 constexpr long nx = 4, ny = 3, nz = 5;
@@ -90,19 +99,20 @@ TEST(JointNumbering, TheTwoSidesOfABaffleDiffer)
     // labels of what lies in the plane x = 2, by the side on which the cell lies
     const MeshView view = part_of(with_baffle(box(), [](const Vector& f) { return f.x() == 2; }), 1);
     const JointNumbering numbering(world(), view);
+    double last = 0;
+    for (std::size_t j = view.size(); j < numbering.count(); ++j)
+        last = std::max(last, static_cast<double>(numbering.label(static_cast<int>(j))));
     Scalars on_side[2];  // [all labels]: whether it is there
     for (Scalars& side : on_side)
-        side.assign(static_cast<std::size_t>(numbering.first_of_rank.back()), 0.0);
-    std::size_t slot = 0;
+        side.assign(static_cast<std::size_t>(world().max(last)) + 1, 0.0);
     for (std::size_t f = 0; f < view.faces.size(); ++f) {
         const MeshView::Face& face = view.faces[f];
-        const bool right = view.centre[static_cast<std::size_t>(face.owner)].x() > 2;
-        for (const int p : face.points) {
-            if (view.points[static_cast<std::size_t>(p)].x() == 2)
-                on_side[right][static_cast<std::size_t>(numbering.of_corner[slot])] = 1;
-            ++slot;
-        }
-        if (face.centre.x() == 2) on_side[right][static_cast<std::size_t>(numbering.of_face[f])] = 1;
+        Scalars& side = on_side[view.centre[static_cast<std::size_t>(face.owner)].x() > 2];
+        const auto set = [&](int joint) { side[static_cast<std::size_t>(numbering.label(joint))] = 1; };
+        for (std::size_t k = 0; k < face.points.size(); ++k)
+            if (view.points[static_cast<std::size_t>(face.points[k])].x() == 2)
+                set(numbering.of_corner(static_cast<int>(f), static_cast<int>(k)));
+        if (face.centre.x() == 2) set(numbering.of_face(static_cast<int>(f)));
     }
     long labels = 0;
     for (Scalars& side : on_side)

@@ -22,6 +22,8 @@ constexpr std::size_t count = 150;
 /// round-off adds up at random.
 constexpr double rounding = 1e-12;
 
+double other_noise(std::size_t i) { return noise(7 * i + 3); }
+
 class MappingOnMesh : public testing::TestWithParam<NamedMesh> {
 protected:
     const WholeMesh& mesh() const { return GetParam().mesh; }
@@ -34,7 +36,7 @@ protected:
         bool limited = false;
     };
 
-    /// `visit(filling)` for all sizes and rules, without a limit and with one that acts: a tenth of the way from the
+    /// `visit(filling)` for all sizes and rules, without a limit and with one that acts: a quarter of the way from the
     /// densest cell to the mean.
     template <class Visit>
     void for_each_filling(const Visit& visit) const
@@ -53,7 +55,7 @@ protected:
             visit(filling);
             if (densest < 1.001 * mean) continue;  // wide kernels on a small cyclic mesh fill all cells alike
             filling.limited = true;
-            filling.rules.maximum_packing = 1 - 0.1 * (1 - mean / densest);
+            filling.rules.maximum_packing = 1 - 0.25 * (1 - mean / densest);
             SCOPED_TRACE("limit " + std::to_string(filling.rules.maximum_packing));
             visit(filling);
         }
@@ -63,77 +65,63 @@ protected:
 INSTANTIATE_TEST_SUITE_P(, MappingOnMesh, testing::ValuesIn(mesh_zoo()),
                          [](const auto& test) { return test.param.name; });
 
-TEST_P(MappingOnMesh, ContentsSumToWhatWasDepositedAndNothingIsNegative)
-{
-    for_each_filling([&](const Filling& filling) {
-        MappedSpheres p(world(), mesh(), filling.spheres, filling.rules);
-        const Scalars solid = p.fill(filling.weight);
-        EXPECT_NEAR(p.total(solid) / (filling.weight * p.total(p.volumes)), 1.0, rounding);
-        for (std::size_t c = 0; c < solid.size(); ++c) {
-            EXPECT_GE(solid[c], 0.0);
-            EXPECT_LE(solid[c] / p.view.volume[c], filling.rules.maximum_packing + 1e-8);  // slack of the limit: 1e-9
-        }
-        const Scalars q = p.of_particles(noise);
-        EXPECT_NEAR(p.total(p.mapping.deposit(q)), p.total(q), rounding * count);
-        EXPECT_EQ(world().sum(p.mapping.cells_relieved()) > 0, filling.limited);
-    });
-}
-
-TEST_P(MappingOnMesh, AConstantIsInterpolatedAsOne)
-{
-    for_each_filling([&](const Filling& filling) {
-        MappedSpheres p(world(), mesh(), filling.spheres, filling.rules);
-        p.fill(filling.weight);
-        for (const double value : p.at_particles(Scalars(p.view.size(), 3.0)))
-            EXPECT_NEAR(value, 3.0, 3 * rounding);
-    });
-}
-
-TEST_P(MappingOnMesh, ThereAndBackAreTransposed)
-{
-    for_each_filling([&](const Filling& filling) {
-        MappedSpheres p(world(), mesh(), filling.spheres, filling.rules);
-        p.fill(filling.weight);
-        const Scalars q = p.of_particles(noise);
-        const Scalars g = p.of_cells([](std::size_t c) { return noise(7 * c + 3); });
-        const double of_cells = p.dot(p.mapping.deposit(q), g);
-        EXPECT_NEAR(of_cells, p.dot(q, p.at_particles(g)), count * rounding);
-        EXPECT_GT(std::abs(of_cells), 1e-6);  // it is not the zero operator
-    });
-}
-
-TEST_P(MappingOnMesh, RanksDoNotChangeTheResult)
+TEST_P(MappingOnMesh, ConservesIsTransposedAndTheSameOnAnyRanks)
 {
     for_each_filling([&](const Filling& filling) {
         MappedSpheres one(alone(), mesh(), filling.spheres, filling.rules);
-        const Scalars solid = one.of_whole_mesh(one.fill(filling.weight));
-        const Scalars contents = one.of_whole_mesh(one.mapping.deposit(one.of_particles(noise)));
-        const Scalars values = one.of_all_spheres(one.at_particles(one.of_cells(noise)));
-        for (const unsigned partition : {1u, 2u}) {
-            MappedSpheres many(world(), mesh(), filling.spheres, filling.rules, partition);
-            const double volume = *std::max_element(solid.begin(), solid.end());
-            const Scalars solid_of_many = many.of_whole_mesh(many.fill(filling.weight));
-            const Scalars contents_of_many = many.of_whole_mesh(many.mapping.deposit(many.of_particles(noise)));
-            for (std::size_t c = 0; c < solid.size(); ++c) {
-                EXPECT_NEAR(solid_of_many[c] / volume, solid[c] / volume, rounding) << "cell " << c;
-                EXPECT_NEAR(contents_of_many[c], contents[c], 10 * rounding) << "cell " << c;
-            }
-            const Scalars values_of_many = many.of_all_spheres(many.at_particles(many.of_cells(noise)));
-            for (std::size_t i = 0; i < count; ++i)
-                EXPECT_NEAR(values_of_many[i], values[i], rounding) << "sphere " << i;
-            EXPECT_EQ(world().sum(many.mapping.cells_relieved()), one.mapping.cells_relieved());
+        MappedSpheres many(world(), mesh(), filling.spheres, filling.rules);
+        const Scalars solid = many.fill(filling.weight);
+        const Scalars q = many.of_particles(noise), contents = many.mapping.deposit(q);
+        const Scalars g = many.of_cells(other_noise), values = many.at_particles(g);
+
+        EXPECT_NEAR(many.total(solid) / (filling.weight * many.total(many.volumes)), 1.0, rounding);
+        EXPECT_NEAR(many.total(contents), many.total(q), rounding * count);
+        EXPECT_NEAR(many.dot(contents, g), many.dot(q, values), rounding * count);
+        EXPECT_GT(std::abs(many.dot(contents, g)), 1e-6);  // it is not the zero operator
+        for (const double value : many.at_particles(Scalars(many.view.size(), 3.0)))
+            EXPECT_NEAR(value, 3.0, 3 * rounding);
+        for (std::size_t c = 0; c < solid.size(); ++c) {
+            EXPECT_GE(solid[c], 0.0);
+            EXPECT_LE(solid[c] / many.view.volume[c], filling.rules.maximum_packing + 1e-3);  // what it lets stand at last
         }
+        EXPECT_EQ(world().sum(many.mapping.cells_relieved()) > 0, filling.limited);
+
+        one.fill(filling.weight);
+        EXPECT_EQ(world().sum(many.mapping.cells_relieved()), one.mapping.cells_relieved());
+        const Scalars contents_of_one = one.mapping.deposit(one.of_particles(noise));
+        for (std::size_t c = 0; c < contents.size(); ++c)
+            EXPECT_NEAR(contents[c], contents_of_one[many.own_cells[c]], 10 * rounding) << many.own_cells[c];
+        const Scalars values_of_one = one.at_particles(one.of_cells(other_noise));
+        for (std::size_t i = 0; i < values.size(); ++i)
+            EXPECT_NEAR(values[i], values_of_one[many.here[i]], rounding) << many.here[i];
     });
 }
 
-TEST_P(MappingOnMesh, SeveralValuesATimeAreTheSameAsOneByOne)
+TEST(Mapping, DoesNotChangeWithThePartition)
+{
+    const WholeMesh mesh = refined_boxes({3, 3, 3}, [](int i, int j, int k) { return (i + j + 2 * k) % 4 == 0; });
+    for (const Sizing& sizing : sizings()) {
+        const Spheres spheres = scattered(mesh, count, sizing.diameter);
+        MappedSpheres one(alone(), mesh, spheres, sizing.rules);
+        const Scalars contents = one.mapping.deposit(one.of_particles(noise));
+        for (const unsigned seed : {2u, 3u, 4u}) {
+            const MappedSpheres many(world(), mesh, spheres, sizing.rules, seed);
+            const Scalars own = many.mapping.deposit(many.of_particles(noise));
+            for (std::size_t c = 0; c < own.size(); ++c)
+                EXPECT_NEAR(own[c], contents[many.own_cells[c]], 10 * rounding) << sizing.name;
+        }
+    }
+}
+
+TEST(Mapping, OfSeveralValuesATimeIsTheSameAsOneByOne)
 {
     struct Three {
         double of[3];
     };
-    for_each_filling([&](const Filling& filling) {
-        MappedSpheres p(world(), mesh(), filling.spheres, filling.rules);
-        p.fill(filling.weight);
+    const WholeMesh mesh = refined_boxes({3, 3, 3}, [](int i, int j, int k) { return (i + j + 2 * k) % 4 == 0; });
+    for (const Sizing& sizing : sizings()) {
+        MappedSpheres p(world(), mesh, scattered(mesh, count, sizing.diameter), sizing.rules);
+        p.fill();
         const auto three = [](std::size_t i) { return Three{{noise(3 * i), noise(3 * i + 1), noise(3 * i + 2)}}; };
         const std::vector<Three> contents = p.mapping.deposit(p.of_particles(three));
         const std::vector<Three> values = p.at_particles(p.of_cells(three));
@@ -141,12 +129,12 @@ TEST_P(MappingOnMesh, SeveralValuesATimeAreTheSameAsOneByOne)
             const auto one = [&](std::size_t i) { return noise(3 * i + k); };
             const Scalars contents_of_one = p.mapping.deposit(p.of_particles(one));
             for (std::size_t c = 0; c < contents.size(); ++c)
-                EXPECT_NEAR(contents[c].of[k], contents_of_one[c], rounding);
+                EXPECT_NEAR(contents[c].of[k], contents_of_one[c], rounding) << sizing.name;
             const Scalars values_of_one = p.at_particles(p.of_cells(one));
             for (std::size_t i = 0; i < values.size(); ++i)
-                EXPECT_NEAR(values[i].of[k], values_of_one[i], rounding);
+                EXPECT_NEAR(values[i].of[k], values_of_one[i], rounding) << sizing.name;
         }
-    });
+    }
 }
 
 TEST(Mapping, ServesSpheresThatComeAndGo)
@@ -159,9 +147,7 @@ TEST(Mapping, ServesSpheresThatComeAndGo)
     const Spheres few = scattered(mesh, 40, diameter);
     MappedSpheres fresh(world(), mesh, few, rules), used(world(), mesh, few, rules);
     used.mapping.place({}, {}, {});
-    EXPECT_EQ(used.fill().size(), used.view.size());
-    for (const double solid : used.mapping.solid_volume({}))
-        EXPECT_EQ(solid, 0.0);
+    EXPECT_EQ(used.mapping.solid_volume({}), Scalars(used.view.size(), 0.0));
 
     Vectors positions;
     std::vector<int> cells;
