@@ -97,19 +97,19 @@ TEST(UniformDensity, FillsEveryCellWithItsOwnVolume)
 {
     // small spheres, which are single points and not spread by diffusion
     for (const NamedMesh& each : plane_meshes())
-        EXPECT_LT(error_of_filling(each.mesh, integrated(each.mesh, 0.05), rules_of(MappingType::kernel)), rounding)
+        EXPECT_LT(error_of_filling(each.mesh, integrated(each.mesh, 0.03), rules_of(MappingType::kernel)), rounding)
             << each.name;
     const WholeMesh mesh = tetrahedra({3, 3, 2});
-    EXPECT_LT(error_of_filling(mesh, integrated(mesh, 0.05), rules_of(MappingType::cell_centre)), rounding);
+    EXPECT_LT(error_of_filling(mesh, integrated(mesh, 0.03), rules_of(MappingType::cell_centre)), rounding);
 }
 
 TEST(UniformDensity, OfEachSizeDoesSoInAMixture)
 {
     // the larger ones, single points as well, are spread over the whole mesh
     for (const NamedMesh& each : plane_meshes()) {
-        if (each.name == "hexagonalPrisms" || each.name == "truncatedOctahedra") continue;  // many places, twice
         Filling both = integrated(each.mesh, 8.0);
-        const Filling small = integrated(each.mesh, 0.05);
+        if (both.share.size() > 200000) continue;  // enough of the others
+        const Filling small = integrated(each.mesh, 0.03);
         for (std::size_t i = 0; i < small.share.size(); ++i) {
             both.spheres.add(small.spheres.positions[i], small.spheres.cells[i], small.spheres.volumes[i]);
             both.share[i] *= 0.25;
@@ -125,7 +125,7 @@ TEST(UniformDensity, FillsCellsBetweenWarpedFacesWithinTheSquareOfTheWarp)
     // much for that its neighbour gets as well. The factor is measured: 0.05 to 0.07 at any warp.
     for (const double by : {0.04, 0.08, 0.16, 0.32}) {
         const WholeMesh mesh = shaken_boxes({4, 4, 3}, by);
-        const double error = error_of_filling(mesh, integrated(mesh, 0.05), rules_of(MappingType::kernel));
+        const double error = error_of_filling(mesh, integrated(mesh, 0.03), rules_of(MappingType::kernel));
         EXPECT_LT(error, 0.08 * by * by) << "moved by " << by;
     }
 }

@@ -76,6 +76,7 @@ TEST_F(ReadSettings, NeedsAScriptAndHasDefaultsForTheRest)
     EXPECT_TRUE(s.two_way);
     EXPECT_EQ(s.drag_law, drag_laws().front().name);
     EXPECT_EQ(s.mapping.type, MappingType::kernel);
+    EXPECT_EQ(s.mapping.width_in_diameters, 2);
     EXPECT_EQ(s.mapping.width, 0);
     EXPECT_EQ(s.mapping.maximum_packing, 0.74);
     EXPECT_EQ(s.outside_mesh, OutsideMesh::stop);
@@ -113,6 +114,7 @@ TEST_F(ReadSettings, EachKeySetsItsOwn)
     EXPECT_EQ(s.snapshot_interval, 0.2);
     EXPECT_EQ(s.pressure_taps, taps);
     EXPECT_EQ(read({{"mapping", Block{{"type", "cellCentre"}}}}).mapping.type, MappingType::cell_centre);
+    EXPECT_EQ(read({{"mapping", Block{{"widthInDiameters", 3.5}}}}).mapping.width_in_diameters, 3.5);
     EXPECT_EQ(read({}, {{"solidStep", 1e-5}}).solid_step, 1e-5);
 }
 
@@ -230,6 +232,14 @@ TEST_F(ReadSettings, AKernelsWidthWantsAKernel)
 {
     refuses({{"mapping", Block{{"type", "cellCentre"}, {"width", 0.1}}}}, {}, "a kernel width with `type cellCentre;`",
             "dict.mapping, line 2", "remove it, or set `type kernel;`");
+    refuses({{"mapping", Block{{"type", "cellCentre"}, {"widthInDiameters", 3.0}}}}, {},
+            "a kernel width with `type cellCentre;`", "dict.mapping, line 2", "remove it, or set `type kernel;`");
+}
+
+TEST_F(ReadSettings, AKernelHasOneWidth)
+{
+    refuses({{"mapping", Block{{"widthInDiameters", 3.0}, {"width", 0.1}}}}, {},
+            "two widths of the kernel, `width` and `widthInDiameters`", "dict.mapping, line 2", "keep one of them");
 }
 
 TEST_F(ReadSettings, PressureIsTakenAtTwoPoints)
@@ -247,7 +257,10 @@ TEST_F(ReadSettings, NumbersKeepToTheirRanges)
     };
     for (const double packing : {0.0, 1.0, 64.0})
         refused("mapping", "maximumPacking", packing);
-    refused("mapping", "width", -0.1);
+    for (const double width : {0.0, -0.1}) {
+        refused("mapping", "width", width);
+        refused("mapping", "widthInDiameters", width);
+    }
     refused("records", "interval", 0);
     refused("records", "snapshotInterval", -1);
     const Problem step = test::refused([&] { read({}, {{"solidStep", 0.0}}); });
