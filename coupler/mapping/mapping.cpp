@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.hpp"
 #include "mapping/sphere_points.hpp"
 
 namespace interphase {
@@ -70,6 +71,24 @@ void Mapping::make_classes()
         classes_.push_back({width, as_points, std::move(diffusion),
                             CellWeights(joints_, subdivision_, corner_cells_, cells_.own_count())});
     }
+}
+
+std::string Mapping::description(const Scalars& volumes)
+{
+    if (rules_.type == MappingType::cell_centre) return "to the cell that holds the centre";
+    cover(volumes);
+    std::string words;
+    for (std::size_t n = 0; n < classes_.size(); ++n) {
+        const SizeClass& sizes = classes_[n];
+        const double largest = octaves_.reference * std::exp2(octaves_.first + static_cast<int>(n));
+        if (n > 0) words += "; ";
+        if (rules_.width == 0) words += "spheres of " + text(largest) + " m at most ";
+        words += "over a cell, and " + text(sizes.width) + " m";
+        if (sizes.as_points) words += ", as " + std::to_string(SpherePoints::all().size()) + " points";
+        if (sizes.diffusion.sweeps() > 0)
+            words += ", diffused in " + std::to_string(sizes.diffusion.sweeps()) + " sweeps";
+    }
+    return words;
 }
 
 double Mapping::width_of(int octave) const
