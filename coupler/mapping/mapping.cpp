@@ -82,8 +82,8 @@ std::string Mapping::description(const Scalars& volumes)
         const SizeClass& sizes = classes_[n];
         const double largest = octaves_.reference * std::exp2(octaves_.first + static_cast<int>(n));
         if (n > 0) words += "; ";
-        if (rules_.width == 0) words += "spheres of " + text(largest) + " m at most ";
-        words += "over a cell, and " + text(sizes.width) + " m";
+        if (rules_.width == 0) words += "spheres up to " + text(largest) + " m: ";
+        words += text(sizes.width) + " m wide, or as a cell where that is wider";
         if (sizes.as_points) words += ", as " + std::to_string(SpherePoints::all().size()) + " points";
         if (sizes.diffusion.sweeps() > 0)
             words += ", diffused in " + std::to_string(sizes.diffusion.sweeps()) + " sweeps";
@@ -99,7 +99,7 @@ double Mapping::width_of(int octave) const
 bool Mapping::needs_points(double width) const
 {
     // Wider cells blur a packing's pattern with their own weights, in narrower ones diffusion does.
-    constexpr double widest = 1.05, narrowest = 0.22;
+    constexpr double widest = 0.95, narrowest = 0.22;
     if (rules_.type == MappingType::cell_centre) return false;
     bool some = false;
     for (std::size_t c = 0; c < cells_.own_count() && !some; ++c)
