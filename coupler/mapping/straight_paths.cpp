@@ -54,7 +54,8 @@ std::size_t StraightPaths::exit_of(const Path& path, double& share) const
         const double from = gauge.dot(path.at), to = gauge.dot(path.to);
         if (!(to > 1) || !(to > from)) continue;
         const double t = std::max(0.0, (1 - from) / (to - from));
-        const double aside = aside_at(s, t);
+        // A path that is behind the plane already does not meet the face.
+        const double aside = aside_at(s, t) + (from > 1 + tie ? 2.0 : 0.0);
         // Planes that are reached beside their faces count only where no face is met. Several faces may lie in one.
         if (exit != none) {
             const bool meets = aside <= 1 + tie, exit_meets = aside_of_exit <= 1 + tie;
