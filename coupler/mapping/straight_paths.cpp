@@ -52,7 +52,8 @@ std::size_t StraightPaths::exit_of(const Path& path, double& share) const
          ++s) {
         const Vector& gauge = subdivision_.side(s).gauge;
         const double from = gauge.dot(path.at), to = gauge.dot(path.to);
-        if (!(to > 1) || !(to > from)) continue;
+        // One that runs in the plane goes on beside it: round-off would send it back and forth.
+        if (!(to > 1 + tie) || !(to > from)) continue;
         const double t = std::max(0.0, (1 - from) / (to - from));
         // A path that is behind the plane already does not meet the face.
         const double aside = aside_at(s, t) + (from > 1 + tie ? 2.0 : 0.0);

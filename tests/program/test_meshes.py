@@ -81,7 +81,7 @@ class Meshes(unittest.TestCase):
         self.assertLess(abs(whole.solids - joined.solids).max(), ROUND_OFF)
 
     def test_ranks_are_alike(self):
-        for name in ("cyclic_refined", "small_polyhedra", "spot", "own_neighbour"):
+        for name in ("cyclic_refined", "small_tetrahedra", "spot", "own_neighbour"):
             alone = mesh_zoo.run(name)
             for ranks in (2, 4):
                 with self.subTest(name, ranks=ranks):
