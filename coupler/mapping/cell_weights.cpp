@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapping/cell_weights.hpp"
 
+#include <algorithm>
+
 namespace interphase {
 
 void CellWeights::clear()
@@ -43,6 +45,24 @@ void CellWeights::add_spread(std::size_t particle, const Vector& position, int c
     add(joints_.of_corner(at.face, at.corner), at.on_corner);
     particle_.push_back(particle);
     first_.push_back(entries_.size());
+}
+
+double CellWeights::crowding(std::size_t index, int cell) const
+{
+    // The particle's joints, from the centre of its cell to a corner, have more and more cells, each joint all those of
+    // the one before. Where they are alike, 1/(the own cell's share) is their number.
+    double outer_weight = 0, outer_cells = 0, sum = 0;
+    for (std::size_t k = first_[index + 1]; k-- > first_[index];) {
+        const int joint = used_[entries_[k].joint];
+        const auto* share = std::find_if(joints_.shares_begin(joint), joints_.shares_end(joint),
+                                         [cell](const Joints::Share& s) { return s.cell == cell; });
+        if (share == joints_.shares_end(joint)) continue;
+        const double cells = 1 / share->part;
+        sum += std::max(0.0, outer_cells - cells) * outer_weight * outer_weight;
+        outer_cells = cells;
+        outer_weight += entries_[k].weight * share->part;
+    }
+    return sum + outer_cells * outer_weight * outer_weight;
 }
 
 }  // namespace interphase

@@ -32,6 +32,10 @@ public:
 
     std::size_t particles() const { return particle_.size(); }
 
+    /// sum_c w_ic^2 V_own/V_c of the `index`-th particle added, whose own cell is `cell`: over how few cells it is
+    /// spread, 1 at most. Exact where the cells at a joint are alike.
+    double crowding(std::size_t index, int cell) const;
+
     /// Adds sum_i w_ic q_i to `of_cells` [cells]. Collective.
     template <class Record>
     void deposit(const std::vector<Record>& of_particles, std::vector<Record>& of_cells) const

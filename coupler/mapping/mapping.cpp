@@ -10,6 +10,9 @@ namespace {
 
 double diameter_of(double volume) { return std::cbrt(6 / M_PI * volume); }
 
+/// Of a Gaussian that overlaps itself as a kernel of that volume does.
+double kernel_deviation(double kernel_volume) { return std::cbrt(kernel_volume) / std::sqrt(4 * M_PI); }
+
 /// Of a Gaussian of that width at half height.
 double variance_of(double width) { return width * width / (8 * std::log(2.0)); }
 
@@ -31,6 +34,27 @@ int Mapping::octave_of(double volume) const
 {
     if (rules_.width > 0 || rules_.type == MappingType::cell_centre) return 0;
     return static_cast<int>(std::lround(std::log2(diameter_of(volume) / reference_)));
+}
+
+double Mapping::width_of(int octave) const
+{
+    return rules_.width > 0 ? rules_.width : rules_.width_in_diameters * reference_ * std::exp2(octave);
+}
+
+double Mapping::kernel_volume(std::size_t i, int cell) const
+{
+    const auto own = static_cast<std::size_t>(cell);
+    const Slot slot = slots_[i];
+    const double cell_volume = cells_.volume(own);
+    const double by_weights = cell_volume / classes_[slot.size_class].weights.crowding(slot.index, cell);
+    if (rules_.type == MappingType::cell_centre) return by_weights;
+    const double side = std::cbrt(cell_volume), square = side * side;
+    const double added =
+        variance_of(width_of(first_octave_ + static_cast<int>(slot.size_class))) - variance_of_weights(side);
+    if (!(added > 0)) return by_weights;
+    const double deviation = kernel_deviation(by_weights);
+    const double variance = deviation * deviation + added * added / (added + 0.08 * square);
+    return std::pow(4 * M_PI * variance, 1.5);
 }
 
 void Mapping::cover(const Scalars& volumes)
@@ -56,29 +80,29 @@ void Mapping::cover(const Scalars& volumes)
     first_octave_ = first;
     classes_.clear();
     const auto half_variance = [&](int octave, double distance) {
-        const double width =
-            rules_.width > 0 ? rules_.width : rules_.width_in_diameters * reference_ * std::exp2(octave);
-        return 0.5 * std::max(0.0, variance_of(width) - variance_of_weights(distance));
+        return 0.5 * std::max(0.0, variance_of(width_of(octave)) - variance_of_weights(distance));
     };
     for (int octave = first; octave <= last; ++octave) {
         const auto beside_those_before = [&](double distance) {
             if (rules_.type == MappingType::cell_centre) return 0.0;
             return half_variance(octave, distance) - (octave > first ? half_variance(octave - 1, distance) : 0.0);
         };
-        classes_.push_back({Diffusion(cells_, comm_, beside_those_before),
-                            CellWeights(joints_, subdivision_, cells_.own_count())});
+        classes_.push_back(
+            {Diffusion(cells_, comm_, beside_those_before), CellWeights(joints_, subdivision_, cells_.own_count())});
     }
 }
 
 void Mapping::place(const Vectors& positions, const std::vector<int>& cells, const Scalars& volumes)
 {
     particles_ = positions.size();
+    slots_.resize(particles_);
     cover(volumes);
     for (SizeClass& sizes : classes_)
         sizes.weights.clear();
     for (std::size_t i = 0; i < particles_; ++i) {
         const int octave = classes_.size() > 1 ? octave_of(volumes[i]) - first_octave_ : 0;
         CellWeights& weights = classes_[static_cast<std::size_t>(octave)].weights;
+        slots_[i] = {static_cast<std::size_t>(octave), weights.particles()};
         if (rules_.type == MappingType::kernel)
             weights.add_spread(i, positions[i], cells[i]);
         else

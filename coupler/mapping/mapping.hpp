@@ -50,6 +50,11 @@ public:
         }
     }
 
+    /// 1/sum_c (w_ic^2/V_c) [m3] of particle i in cell `cell`: the volume over which it is spread, as its own part in
+    /// what it sees has it (its volume over this one is its part in the solid fraction). Exact for weights on cells
+    /// that are alike; diffusion adds its variance, as if both were Gaussian, less what the mesh does not let through.
+    double kernel_volume(std::size_t i, int cell) const;
+
     long cells_relieved() const { return limit_.cells_relieved(); }
     std::size_t bytes_sent() const { return joints_.bytes_sent() + cells_.bytes_sent(); }
 
@@ -73,6 +78,7 @@ private:
     }
 
     int octave_of(double volume) const;
+    double width_of(int octave) const;
     void cover(const Scalars& volumes);
 
     Communicator comm_;
@@ -82,6 +88,10 @@ private:
     Joints joints_;
     PackingLimit limit_;
     std::size_t particles_ = 0;
+    struct Slot {
+        std::size_t size_class, index;
+    };
+    std::vector<Slot> slots_;  ///< of the particles: where in classes_
 
     int first_octave_ = 0;  ///< of classes_; an octave of diameters is numbered by its middle, 0 at reference_
     std::vector<SizeClass> classes_;

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forces/self_disturbance/self_disturbance.hpp"
+
+namespace interphase {
+
+namespace {
+
+const double root_pi = std::sqrt(M_PI);
+
+double long_wave_structure_factor(double solid_fraction)
+{
+    const double gas = 1 - solid_fraction, crowd = 1 + 2 * solid_fraction;
+    return gas * gas * gas * gas / (crowd * crowd);
+}
+
+}  // namespace
+
+double kernel_deviation(double kernel_volume) { return std::cbrt(kernel_volume) / std::sqrt(4 * M_PI); }
+
+double share_in_stream(double reynolds)
+{
+    const double slow = 3 * root_pi / 8, fast = 3 * root_pi / 4;  // 1 - slow Re, fast/Re
+    constexpr double between = 0.5381;                            // least squares of the relative error
+    const double more = 1 + between * reynolds;
+    return more / (more + slow * reynolds + between / fast * reynolds * reynolds);
+}
+
+double share_in_packing(double x)
+{
+    constexpr double a = 0.4872, b = 1.906;  // least squares; the ends are 1 - sqrt(pi) x and 1/(2 x^2)
+    const double more = 1 + a * x;
+    return more / (more + root_pi * x + b * x * x + 2 * a * x * x * x);
+}
+
+double isolation(double solid_fraction)
+{
+    constexpr double none = 0.4;
+    if (!(solid_fraction < none)) return 0;
+    const double at_none = long_wave_structure_factor(none);
+    return (long_wave_structure_factor(solid_fraction) - at_none) / (1 - at_none);
+}
+
+SelfDisturbance::SelfDisturbance(const ParticleInGas& at) : at_(at), voidage_(at.voidage)
+{
+    if (!(at.kernel_volume > 0)) return;
+    const double own_fraction = at.volume / at.kernel_volume, seen = 1 - at.voidage;
+    solids_around_ = std::max(0.0, seen - own_fraction);
+    solids_around_ = std::max(0.0, seen - isolation(solids_around_) * own_fraction);
+    own_ = isolation(solids_around_);
+    if (own_ == 0) return;
+
+    voidage_ = 1 - solids_around_;
+    deviation_ = kernel_deviation(at.kernel_volume);
+    in_stokes_flow_ =
+        own_ * excess_on_mesh(at.kernel_volume / at.cell_volume) / (6 * M_PI * root_pi * at.viscosity * deviation_);
+    // The gas is pushed aside by the particle and dragged along by it. Of fields without divergence it is two thirds
+    // that one sees at the source, of gradients one third: of the way that it makes, and of the pressure.
+    widening_ = 1 + own_ * own_fraction / 3;
+    pressed_ = 1 - own_ * own_fraction / 3;
+}
+
+double SelfDisturbance::velocity_per_force(double slip_speed, double rate) const
+{
+    const double reynolds = at_.density * voidage_ * slip_speed * deviation_ / at_.viscosity;
+    const double drag_around = solids_around_ * rate / at_.volume;  // [kg/(m3 s)]
+    return in_stokes_flow_ *
+           share_in_stream_through_packing(reynolds, deviation_ * std::sqrt(drag_around / at_.viscosity));
+}
+
+}  // namespace interphase
