@@ -7,6 +7,21 @@ namespace {
 
 const double root_pi = std::sqrt(M_PI);
 
+/// Velocity per force in Stokes flow [m/s/N], at a kernel of this volume [m3] on cells of that.
+double on_mesh(double kernel_volume, double cell_volume, double viscosity)
+{
+    return excess_on_mesh(kernel_volume / cell_volume) /
+           (6 * M_PI * root_pi * viscosity * kernel_deviation(kernel_volume));
+}
+
+/// How much of the force k (u - v) is k v, in the frame of the mesh.
+double given_at_faces(const ParticleInGas& at)
+{
+    const Vector slip = at.slip();
+    constexpr double least = -1, most = 2;  // beyond, the slip is small beside both velocities
+    return slip.squaredNorm() > 0 ? std::clamp(-at.velocity.dot(slip) / slip.squaredNorm(), least, most) : 0.0;
+}
+
 double long_wave_structure_factor(double solid_fraction)
 {
     const double gas = 1 - solid_fraction, crowd = 1 + 2 * solid_fraction;
@@ -51,8 +66,15 @@ SelfDisturbance::SelfDisturbance(const ParticleInGas& at) : at_(at), voidage_(at
 
     voidage_ = 1 - solids_around_;
     deviation_ = kernel_deviation(at.kernel_volume);
-    in_stokes_flow_ =
-        own_ * excess_on_mesh(at.kernel_volume / at.cell_volume) / (6 * M_PI * root_pi * at.viscosity * deviation_);
+    // Of the force k (u - v) the gas solve takes k u where it is, and k v over the faces, which smooths it along itself
+    // by (1, 2, 1)/4 of the neighbours: a variance of half a cell's square, on one of the two sides of the overlap.
+    const Vector slip = at.slip();
+    const double along =
+        slip.squaredNorm() > 0 ? slip.cwiseAbs().dot(at.cell_extent) / slip.norm() : at.cell_extent.maxCoeff();
+    const double smoothed = at.kernel_volume * std::sqrt(1 + 0.25 * along * along / (deviation_ * deviation_));
+    const double in_cells = on_mesh(at.kernel_volume, at.cell_volume, at.viscosity);
+    const double at_faces = on_mesh(smoothed, at.cell_volume, at.viscosity);
+    in_stokes_flow_ = own_ * (in_cells + given_at_faces(at) * (at_faces - in_cells));
     // The gas is pushed aside by the particle and dragged along by it. Of fields without divergence it is two thirds
     // that one sees at the source, of gradients one third: of the way that it makes, and of the pressure.
     widening_ = 1 + own_ * own_fraction / 3;
