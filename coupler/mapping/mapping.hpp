@@ -5,6 +5,7 @@
 
 #include "mapping/cell_weights.hpp"
 #include "mapping/diffusion.hpp"
+#include "mapping/kernel_volume.hpp"
 #include "mapping/mapping_type.hpp"
 #include "mapping/packing_limit.hpp"
 
@@ -50,10 +51,9 @@ public:
         }
     }
 
-    /// 1/sum_c (w_ic^2/V_c) [m3] of particle i in cell `cell`: the volume over which it is spread, as its own part in
-    /// what it sees has it (its volume over this one is its part in the solid fraction). Exact for weights on cells
-    /// that are alike; diffusion adds its variance, as if both were Gaussian, less what the mesh does not let through.
-    double kernel_volume(std::size_t i, int cell) const;
+    /// Of particle i, in cell `cell`. Exact for weights on cells that are alike; diffusion adds its variance, as if
+    /// both were Gaussian, less what the mesh does not let through.
+    KernelVolume kernel_volume(std::size_t i, int cell) const;
 
     long cells_relieved() const { return limit_.cells_relieved(); }
     std::size_t bytes_sent() const { return joints_.bytes_sent() + cells_.bytes_sent(); }

@@ -14,12 +14,12 @@ double on_mesh(double kernel_volume, double cell_volume, double viscosity)
            (6 * M_PI * root_pi * viscosity * kernel_deviation(kernel_volume));
 }
 
-/// How much of the force k (u - v) is k v, in the frame of the mesh.
-double given_at_faces(const ParticleInGas& at)
+/// How much of what changes from place to place in a cell of size h the gas has time for, while a particle passes: it
+/// varies as exp(2 pi i x/h), and dies away at the rate of the shortest wave on the mesh, (pi/h)^2 mu/rho.
+double followed_by_gas(const ParticleInGas& at, double h)
 {
-    const Vector slip = at.slip();
-    constexpr double least = -1, most = 2;  // beyond, the slip is small beside both velocities
-    return slip.squaredNorm() > 0 ? std::clamp(-at.velocity.dot(slip) / slip.squaredNorm(), least, most) : 0.0;
+    const double passing = 2 / M_PI * at.density * at.velocity.norm() * h / at.viscosity;
+    return 1 / (1 + passing * passing);
 }
 
 double long_wave_structure_factor(double solid_fraction)
@@ -29,8 +29,6 @@ double long_wave_structure_factor(double solid_fraction)
 }
 
 }  // namespace
-
-double kernel_deviation(double kernel_volume) { return std::cbrt(kernel_volume) / std::sqrt(4 * M_PI); }
 
 double share_in_stream(double reynolds)
 {
@@ -57,24 +55,27 @@ double isolation(double solid_fraction)
 
 SelfDisturbance::SelfDisturbance(const ParticleInGas& at) : at_(at), voidage_(at.voidage)
 {
-    if (!(at.kernel_volume > 0)) return;
-    const double own_fraction = at.volume / at.kernel_volume, seen = 1 - at.voidage;
+    if (!(at.kernel_volume.here > 0)) return;
+    const double own_fraction = at.volume / at.kernel_volume.here, seen = 1 - at.voidage;
     solids_around_ = std::max(0.0, seen - own_fraction);
     solids_around_ = std::max(0.0, seen - isolation(solids_around_) * own_fraction);
     own_ = isolation(solids_around_);
     if (own_ == 0) return;
-
     voidage_ = 1 - solids_around_;
-    deviation_ = kernel_deviation(at.kernel_volume);
-    // Of the force k (u - v) the gas solve takes k u where it is, and k v over the faces, which smooths it along itself
-    // by (1, 2, 1)/4 of the neighbours: a variance of half a cell's square, on one of the two sides of the overlap.
+
     const Vector slip = at.slip();
+    if (slip.squaredNorm() > 0) speed_against_slip_ = -at.velocity.dot(slip) / slip.norm();
     const double along =
         slip.squaredNorm() > 0 ? slip.cwiseAbs().dot(at.cell_extent) / slip.norm() : at.cell_extent.maxCoeff();
-    const double smoothed = at.kernel_volume * std::sqrt(1 + 0.25 * along * along / (deviation_ * deviation_));
-    const double in_cells = on_mesh(at.kernel_volume, at.cell_volume, at.viscosity);
-    const double at_faces = on_mesh(smoothed, at.cell_volume, at.viscosity);
-    in_stokes_flow_ = own_ * (in_cells + given_at_faces(at) * (at_faces - in_cells));
+    const double crowding = 1 / at.kernel_volume.here, on_its_way = 1 / at.kernel_volume.on_its_way;
+    const double volume = 1 / (on_its_way + followed_by_gas(at, along) * (crowding - on_its_way));
+    deviation_ = kernel_deviation(volume);
+    // Of the force k (u - v) the gas solve takes k u where it is, and k v over the faces, which smooths it along itself
+    // by (1, 2, 1)/4 of the neighbours: a variance of half a cell's square, on one of the two sides of the overlap.
+    const double smoothed = volume * std::sqrt(1 + 0.25 * along * along / (deviation_ * deviation_));
+    in_cells_ = own_ * on_mesh(volume, at.cell_volume, at.viscosity);
+    at_faces_ = own_ * on_mesh(smoothed, at.cell_volume, at.viscosity);
+
     // The gas is pushed aside by the particle and dragged along by it. Of fields without divergence it is two thirds
     // that one sees at the source, of gradients one third: of the way that it makes, and of the pressure.
     widening_ = 1 + own_ * own_fraction / 3;
@@ -85,8 +86,9 @@ double SelfDisturbance::velocity_per_force(double slip_speed, double rate) const
 {
     const double reynolds = at_.density * voidage_ * slip_speed * deviation_ / at_.viscosity;
     const double drag_around = solids_around_ * rate / at_.volume;  // [kg/(m3 s)]
-    return in_stokes_flow_ *
-           share_in_stream_through_packing(reynolds, deviation_ * std::sqrt(drag_around / at_.viscosity));
+    const double share = share_in_stream_through_packing(reynolds, deviation_ * std::sqrt(drag_around / at_.viscosity));
+    const double fall = slip_speed > 0 ? std::clamp(speed_against_slip_ / slip_speed, 0.0, 1.0) : 0.0;
+    return share * (in_cells_ + fall * (at_faces_ - in_cells_));
 }
 
 }  // namespace interphase

@@ -8,10 +8,6 @@
 
 namespace interphase {
 
-/// The standard deviation [m] of a Gaussian kernel that overlaps itself as a kernel of this volume [m3] does: of a
-/// Gaussian, the integral of its square is 1/((4 pi)^(3/2) sigma^3).
-double kernel_deviation(double kernel_volume);
-
 /// Velocity at a force that is spread by a Gaussian of standard deviation sigma, averaged with the same, in units of
 /// that in Stokes flow, F/(6 pi^(3/2) mu sigma): by Oseen's equations, in a stream of Reynolds number Re = rho U
 /// sigma/mu, along it,
@@ -50,7 +46,6 @@ double isolation(double solid_fraction);
 /// here.
 class SelfDisturbance {
 public:
-    /// @param real_slip  whether the kernel carries the drag, two-way: with kernel_volume 0 there is nothing to see
     explicit SelfDisturbance(const ParticleInGas& at);
 
     /// Without the particle's own part.
@@ -89,13 +84,15 @@ public:
 
 private:
     const ParticleInGas& at_;
-    double own_ = 0;             ///< what of the disturbance is its own
-    double voidage_;             ///< [-]
-    double solids_around_ = 0;   ///< solid fraction of others
-    double deviation_ = 0;       ///< of the kernel [m]
-    double in_stokes_flow_ = 0;  ///< velocity per force there, on the mesh [m/s/N]
-    double widening_ = 1;        ///< slip seen over undisturbed slip, as the gas makes way for the solids
-    double pressed_ = 1;         ///< part of the force that is drag, as its pressure pushes the particle, too
+    double own_ = 0;            ///< what of the disturbance is its own
+    double voidage_;            ///< [-]
+    double solids_around_ = 0;  ///< solid fraction of others
+    double deviation_ = 0;      ///< of the kernel [m]
+    double in_cells_ = 0;       ///< velocity per force in Stokes flow [m/s/N], of a force that the gas takes in cells
+    double at_faces_ = 0;       ///< of one that it takes at faces: what is due to the particle's own velocity
+    double speed_against_slip_ = 0;  ///< of the particle in the frame of the mesh [m/s]
+    double widening_ = 1;            ///< slip seen over undisturbed slip, as the gas makes way for the solids
+    double pressed_ = 1;             ///< part of the force that is drag, as its pressure pushes the particle, too
 };
 
 }  // namespace interphase
