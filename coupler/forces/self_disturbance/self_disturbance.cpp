@@ -56,9 +56,11 @@ double isolation(double solid_fraction)
 SelfDisturbance::SelfDisturbance(const ParticleInGas& at) : at_(at), voidage_(at.voidage)
 {
     if (!(at.kernel_volume.here > 0)) return;
+    // The kernel's volume is known within a tenth or two, and others that are not there would take much of the effect.
+    constexpr double margin = 1.2;
     const double own_fraction = at.volume / at.kernel_volume.here, seen = 1 - at.voidage;
-    solids_around_ = std::max(0.0, seen - own_fraction);
-    solids_around_ = std::max(0.0, seen - isolation(solids_around_) * own_fraction);
+    const auto others = [&](double own) { return std::max(0.0, seen - margin * own * own_fraction); };
+    solids_around_ = others(isolation(others(1.0)));
     own_ = isolation(solids_around_);
     if (own_ == 0) return;
     voidage_ = 1 - solids_around_;
