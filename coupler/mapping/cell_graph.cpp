@@ -11,6 +11,7 @@ struct OtherHalf {
     int cell;           ///< here
     double volume;      ///< of that cell [m3]
     double to_cell[3];  ///< from the centre of the face to that of the cell [m]
+    double area[3];     ///< out of that cell [m2]
 };
 
 CellGraph::Link link_across(int to, const Vector& area, const Vector& between)
@@ -45,8 +46,9 @@ CellGraph::CellGraph(const Communicator& comm, const MeshView& mesh)
         counts.push_back(static_cast<int>(faces.size()));
         for (const std::size_t f : faces) {
             const MeshView::Face& face = mesh.faces[f];
-            OtherHalf half{face.partner, face.owner, volume_[static_cast<std::size_t>(face.owner)], {}};
+            OtherHalf half{face.partner, face.owner, volume_[static_cast<std::size_t>(face.owner)], {}, {}};
             set(half.to_cell, centre_of(face.owner) - face.centre);
+            set(half.area, face.area);
             out.push_back(half);
         }
     }
@@ -64,7 +66,10 @@ CellGraph::CellGraph(const Communicator& comm, const MeshView& mesh)
             wanted.push_back(half.cell);
         }
         const Vector between = face.centre - centre_of(face.owner) + to_vector(half.to_cell);
-        links_of(face.owner).push_back(link_across(to, face.area, between));
+        // Halves from a file have the same area in as many digits as it has. Contents stay whole and the way back is
+        // the transpose only where both sides take the same.
+        const Vector area = 0.5 * (face.area - to_vector(half.area));
+        links_of(face.owner).push_back(link_across(to, area, between));
     }
     exchange_.plan(wanted_of);  // those who want ask the owners: values flow backward along this plan
     for (const int cell : exchange_.forward(std::move(wanted)))

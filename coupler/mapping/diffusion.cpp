@@ -22,7 +22,8 @@ Diffusion::Diffusion(const CellGraph& cells, const Communicator& comm,
     if (!(most > 0)) return;
 
     // Two thirds at most in one step: then cells that fill and empty in turn, which a step of all would leave so, calm.
-    const int steps = static_cast<int>(std::ceil(1.5 * most));
+    // Round-off, which differs with the number of ranks, must not make one more of them.
+    const int steps = std::max(1, static_cast<int>(std::ceil(1.5 * most - 1e-6)));
     for (double& part : part_)
         part /= steps;
     const Scalars polynomials = power_in_chebyshev_polynomials(steps);

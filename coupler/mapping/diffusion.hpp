@@ -8,16 +8,16 @@
 
 namespace interphase {
 
-/// Spreads cell contents along the faces of the mesh, as diffusion for a time would: (1 - L/s)^s on densities, where L is
-/// the finite-volume Laplacian times that time, with two-point fluxes over the faces and none through boundaries
+/// Spreads cell contents along the faces of the mesh, as diffusion for a time would: (1 - L/s)^s on densities, where L
+/// is the finite-volume Laplacian times that time, with two-point fluxes over the faces and none through boundaries
 /// (Capecelatro and Desjardins, J. Comput. Phys. 238 (2013) 1; Sun and Xiao, Int. J. Multiphase Flow 77 (2015) 142).
 ///
 /// The number of steps s is fixed by the mesh, so large that no step takes more from a cell than it has. So nothing
 /// becomes negative; a uniform density stays what it is and contents stay whole to round-off, however far the diffusion
 /// has gone; and the same matrix, symmetric in the inner product weighted by volumes, takes values the way back.
 ///
-/// Many steps are made as fewer: x^s as a sum of Chebyshev polynomials, of which those of degree beyond some multiple of
-/// sqrt(s) weigh less than round-off (Newman and Rivlin, SIAM J. Numer. Anal. 13 (1976) 451).
+/// Many steps are made as fewer: x^s as a sum of Chebyshev polynomials, of which those of degree beyond some multiple
+/// of sqrt(s) weigh less than round-off (Newman and Rivlin, SIAM J. Numer. Anal. 13 (1976) 451).
 class Diffusion {
 public:
     /// `half_variance(distance)`: of the spread along a link of that length [m2], at least 0; each component of a

@@ -37,21 +37,48 @@ JointNumbering::JointNumbering(const Communicator& comm, const MeshView& mesh)
             glue(owner_side_[f][k], neighbour_side_[f][k]);
 
     const std::vector<std::int64_t> counts = comm.all_gather(static_cast<std::int64_t>(parent_.size()));
-    first_of_rank.assign(1, 0);
+    first_of_rank_.assign(1, 0);
     for (const std::int64_t count : counts)
-        first_of_rank.push_back(first_of_rank.back() + count);
+        first_of_rank_.push_back(first_of_rank_.back() + count);
     label_.resize(parent_.size());
-    std::iota(label_.begin(), label_.end(), first_of_rank[static_cast<std::size_t>(comm.rank())]);
+    std::iota(label_.begin(), label_.end(), first_of_rank_[static_cast<std::size_t>(comm.rank())]);
     spread_across_ranks(comm, mesh);
+    number_joints(mesh);
+    owner_side_ = neighbour_side_ = {};
+    parent_ = {};
+    label_ = {};
+}
 
+int JointNumbering::home(std::int64_t label) const
+{
+    const auto next = std::upper_bound(first_of_rank_.begin(), first_of_rank_.end(), label);
+    return static_cast<int>(next - first_of_rank_.begin()) - 1;
+}
+
+void JointNumbering::number_joints(const MeshView& mesh)
+{
+    label_of_joint_.assign(mesh.size(), -1);  // cells' centres have none
+    at_other_half_.assign(mesh.size(), false);
+    std::unordered_map<std::int64_t, int> number_of;
+    first_corner_.assign(1, 0);
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        const auto joint = [&](std::size_t copy) {
+            const std::int64_t label = label_[root(owner_side_[f][copy])];
+            const auto [at, is_new] = number_of.emplace(label, static_cast<int>(label_of_joint_.size()));
+            if (is_new) {
+                label_of_joint_.push_back(label);
+                at_other_half_.push_back(false);
+            }
+            if (mesh.faces[f].partner >= 0) at_other_half_[static_cast<std::size_t>(at->second)] = true;
+            return at->second;
+        };
         const std::size_t n = mesh.faces[f].points.size();
-        const auto label = [&](std::size_t copy) { return label_[root(owner_side_[f][copy])]; };
-        of_face.push_back(label(0));
+        of_face_.push_back(joint(0));
         for (std::size_t k = 0; k < n; ++k) {
-            of_corner.push_back(label(1 + k));
-            of_edge.push_back(label(1 + n + k));
+            of_corner_.push_back(joint(1 + k));
+            of_edge_.push_back(joint(1 + n + k));
         }
+        first_corner_.push_back(of_corner_.size());
     }
 }
 

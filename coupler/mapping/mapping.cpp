@@ -4,17 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mapping/sphere_points.hpp"
+
 namespace interphase {
 
 namespace {
 
 double diameter_of(double volume) { return std::cbrt(6 / M_PI * volume); }
 
-/// Of a Gaussian of that width at half height.
+/// Of a Gaussian of that width at half height. Widths of kernels one after the other add as their squares; that of the
+/// weights is the distance between the cells.
 double variance_of(double width) { return width * width / (8 * std::log(2.0)); }
-
-/// Of what the weights do in a uniform grid of boxes: those of a hat.
-double variance_of_weights(double distance) { return distance * distance / 6; }
 
 }  // namespace
 
@@ -22,42 +22,19 @@ Mapping::Mapping(const Communicator& comm, const MeshView& mesh, const MappingRu
     : comm_(comm),
       rules_(rules),
       cells_(comm, mesh),
-      subdivision_(mesh),
-      joints_(comm, mesh, subdivision_),
+      numbering_(comm, mesh),
+      subdivision_(mesh, numbering_),
+      joints_(comm, numbering_, subdivision_, mesh.size()),
+      corner_cells_(subdivision_, joints_),
+      paths_(mesh, subdivision_),
+      guests_(comm, mesh, paths_),
       limit_(cells_, comm, rules.maximum_packing)
 {}
 
 int Mapping::octave_of(double volume) const
 {
     if (rules_.width > 0 || rules_.type == MappingType::cell_centre) return 0;
-    return static_cast<int>(std::lround(std::log2(diameter_of(volume) / reference_)));
-}
-
-double Mapping::width_of(int octave) const
-{
-    return rules_.width > 0 ? rules_.width : rules_.width_in_diameters * reference_ * std::exp2(octave);
-}
-
-KernelVolume Mapping::kernel_volume(std::size_t i, int cell) const
-{
-    const Slot slot = slots_[i];
-    const double cell_volume = cells_.volume(static_cast<std::size_t>(cell));
-    const double here = cell_volume / classes_[slot.size_class].weights.crowding(slot.index, cell);
-    if (rules_.type == MappingType::cell_centre) return {here, here};
-    constexpr double mean_crowding = 0.27;  // of the weights in a box: 1 at its centre, 1/8 at a corner
-    const double on_its_way = cell_volume / mean_crowding;
-
-    const double side = std::cbrt(cell_volume);
-    const double added =
-        variance_of(width_of(first_octave_ + static_cast<int>(slot.size_class))) - variance_of_weights(side);
-    if (!(added > 0)) return {here, on_its_way};
-    // A mesh lets less through at first: 0.08 is of the overlap of its exact solution, within 3 % of the deviation.
-    const double variance = added * added / (added + 0.08 * side * side);
-    const auto diffused = [&](double by_weights) {
-        const double deviation = kernel_deviation(by_weights);
-        return interphase::kernel_volume(deviation * deviation + variance);
-    };
-    return {diffused(here), diffused(on_its_way)};
+    return static_cast<int>(std::ceil(std::log2(diameter_of(volume) / octaves_.reference) - 1e-6));
 }
 
 void Mapping::cover(const Scalars& volumes)
@@ -71,46 +48,140 @@ void Mapping::cover(const Scalars& volumes)
     smallest = -of_all[0];
     largest = of_all[1];
     if (!(largest > 0)) return;  // nobody is there
-    if (reference_ == 0) reference_ = diameter_of(largest);
+    if (octaves_.reference == 0) octaves_.reference = diameter_of(largest);
+    octaves_.first = std::min(octaves_.first, octave_of(smallest));
+    octaves_.last = std::max(octaves_.last, octave_of(largest));
+    if (static_cast<int>(classes_.size()) != octaves_.last - octaves_.first + 1) make_classes();
+}
 
-    const int count = static_cast<int>(classes_.size());
-    int first = octave_of(smallest), last = octave_of(largest);
-    if (count > 0 && first >= first_octave_ && last < first_octave_ + count) return;
-    if (count > 0) {
-        first = std::min(first, first_octave_);
-        last = std::max(last, first_octave_ + count - 1);
-    }
-    first_octave_ = first;
+void Mapping::make_classes()
+{
     classes_.clear();
-    const auto half_variance = [&](int octave, double distance) {
-        return 0.5 * std::max(0.0, variance_of(width_of(octave)) - variance_of_weights(distance));
-    };
-    for (int octave = first; octave <= last; ++octave) {
+    for (int octave = octaves_.first; octave <= octaves_.last; ++octave) {
+        const double width = width_of(octave);
+        const bool as_points = needs_points(width);
         const auto beside_those_before = [&](double distance) {
             if (rules_.type == MappingType::cell_centre) return 0.0;
-            return half_variance(octave, distance) - (octave > first ? half_variance(octave - 1, distance) : 0.0);
+            double more = half_variance(width, as_points, distance);
+            if (!classes_.empty()) more -= half_variance(classes_.back().width, classes_.back().as_points, distance);
+            return std::max(0.0, more);
         };
-        classes_.push_back(
-            {Diffusion(cells_, comm_, beside_those_before), CellWeights(joints_, subdivision_, cells_.own_count())});
+        Diffusion diffusion(cells_, comm_, beside_those_before);
+        classes_.push_back({width, as_points, std::move(diffusion),
+                            CellWeights(joints_, subdivision_, corner_cells_, cells_.own_count())});
     }
+}
+
+double Mapping::width_of(int octave) const
+{
+    return rules_.width > 0 ? rules_.width : rules_.width_in_diameters * octaves_.reference * std::exp2(octave);
+}
+
+bool Mapping::needs_points(double width) const
+{
+    // Wider cells blur a packing's pattern with their own weights, in narrower ones diffusion does.
+    constexpr double widest = 1.05, narrowest = 0.22;
+    if (rules_.type == MappingType::cell_centre) return false;
+    bool some = false;
+    for (std::size_t c = 0; c < cells_.own_count() && !some; ++c)
+        for (auto link = cells_.links_begin(c); link != cells_.links_end(c); ++link)
+            some |= link->distance > narrowest * width && link->distance < widest * width;
+    return comm_.any(some);
+}
+
+double Mapping::half_variance(double width, bool as_points, double distance) const
+{
+    const double of_points = as_points ? SpherePoints::variance * width * width / 4 : 0.0;
+    return 0.5 * std::max(0.0, variance_of(width) - variance_of(distance) - of_points);
+}
+
+KernelVolume Mapping::kernel_volume(const Vector& position, int cell, double volume) const
+{
+    const auto own = static_cast<std::size_t>(cell);
+    const double cell_volume = cells_.volume(own);
+    if (rules_.type == MappingType::cell_centre) return {cell_volume, cell_volume};
+
+    const int octave = classes_.size() > 1 ? octave_of(volume) - first_octave_ : 0;
+    const SizeClass& sizes = classes_[static_cast<std::size_t>(octave)];
+    const double side = std::cbrt(cell_volume), square = side * side;
+    const double by_points = sizes.as_points ? SpherePoints::variance * sizes.width * sizes.width / 4 : 0.0;
+    const double by_diffusion = 2 * half_variance(sizes.width, sizes.as_points, side);
+    // Points about the particle even out where in its cell it is; diffusion on a mesh spreads less at first than its
+    // variance says. Both numbers are fits to uniform boxes of 0.5 to 2 diameters.
+    constexpr double mean_crowding = 0.41, evening = 3.2, delay = 0.04;
+    const double spread =
+        by_points + (by_diffusion > 0 ? by_diffusion * by_diffusion / (by_diffusion + delay * square) : 0.0);
+    const auto with_crowding = [&](double crowding) {
+        const double deviation = kernel_deviation(cell_volume / crowding);
+        return interphase::kernel_volume(deviation * deviation + spread);
+    };
+    const double left = std::exp(-evening * by_points / square);
+    return {with_crowding(mean_crowding + left * (crowding(position, own) - mean_crowding)),
+            with_crowding(mean_crowding)};
+}
+
+double Mapping::crowding(const Vector& position, std::size_t cell) const
+{
+    const CellSubdivision::Place at = subdivision_.place(position, cell);
+    const CellSubdivision::Corner& corner = subdivision_.corner(at.corner);
+    const std::array<double, 8> function = at.functions();
+    std::array<double, 8> share{};  // of the cell, in each joint of the corner
+    for (std::size_t n = 0; n < 8; ++n) {
+        if (corner[n] < 0) continue;
+        for (const Joints::Share& part : joints_.shares(corner[n]))
+            if (part.cell == static_cast<int>(cell)) share[n] = part.part;
+    }
+    // Where cells are alike and meet as boxes do, two joints have in common what the joint of both their faces has: its
+    // cells, which are as many as the cell's share of it says.
+    double sum = 0;
+    for (std::size_t n = 0; n < 8; ++n)
+        for (std::size_t m = 0; m < 8; ++m)
+            sum += function[n] * function[m] * (corner[n | m] >= 0 ? share[n | m] : std::min(share[n], share[m]));
+    return sum > 0 ? sum : 1.0;
 }
 
 void Mapping::place(const Vectors& positions, const std::vector<int>& cells, const Scalars& volumes)
 {
     particles_ = positions.size();
-    slots_.resize(particles_);
     cover(volumes);
     for (SizeClass& sizes : classes_)
         sizes.weights.clear();
+    bool some_as_points = false;
+    for (const SizeClass& sizes : classes_)
+        some_as_points |= sizes.as_points;
     for (std::size_t i = 0; i < particles_; ++i) {
-        const int octave = classes_.size() > 1 ? octave_of(volumes[i]) - first_octave_ : 0;
-        CellWeights& weights = classes_[static_cast<std::size_t>(octave)].weights;
-        slots_[i] = {static_cast<std::size_t>(octave), weights.particles()};
-        if (rules_.type == MappingType::kernel)
-            weights.add_spread(i, positions[i], cells[i]);
+        const int size_class = classes_.size() > 1 ? octave_of(volumes[i]) - octaves_.first : 0;
+        SizeClass& sizes = classes_[static_cast<std::size_t>(size_class)];
+        if (rules_.type == MappingType::cell_centre)
+            sizes.weights.add_to_cell(i, cells[i]);
+        else if (sizes.as_points)
+            add_as_points(sizes, i, positions[i], cells[i], size_class);
         else
-            weights.add_to_cell(i, cells[i]);
+            sizes.weights.add_spread(i, positions[i], cells[i]);
     }
+    if (!some_as_points) return;
+    for (const Guests::Point& guest : guests_.arrive(particles_)) {
+        CellWeights& weights = classes_[static_cast<std::size_t>(guest.size_class)].weights;
+        weights.add_point(subdivision_.centre(static_cast<std::size_t>(guest.path.cell)) + guest.path.to,
+                          guest.path.cell, guest.share);
+        weights.end_particle(static_cast<std::size_t>(guest.particle));
+    }
+    some_have_guests_ = comm_.any(guests_.count() > 0);
+}
+
+void Mapping::add_as_points(SizeClass& sizes, std::size_t particle, const Vector& position, int cell, int size_class)
+{
+    const Vector from = position - subdivision_.centre(static_cast<std::size_t>(cell));
+    for (const SpherePoints::Point& point : SpherePoints::all()) {
+        StraightPaths::Path path{cell, from, from + sizes.width / 2 * point.offset};
+        const int face = paths_.follow(path);
+        if (face >= 0)
+            guests_.leave(face, {path, point.share, comm_.rank(), static_cast<int>(particle), size_class});
+        else
+            sizes.weights.add_point(subdivision_.centre(static_cast<std::size_t>(path.cell)) + path.to, path.cell,
+                                    point.share);
+    }
+    sizes.weights.end_particle(particle);
 }
 
 Scalars Mapping::solid_volume(const Scalars& of_particles)

@@ -2,6 +2,7 @@
 #include "mapping/packing_limit.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/text.hpp"
 
@@ -11,12 +12,17 @@ namespace {
 
 constexpr int most_passes = 200;
 
-/// Relative slack, so that round-off at the limit does not count as an intervention.
-constexpr double slack = 1e-9;
+/// Share of a cell's volume by which it may stand above the limit after so many passes: round-off at first, and up to a
+/// thousandth where the excess takes long to seep through a crowd of cells that are full themselves.
+double slack_after(int passes)
+{
+    constexpr double rounding = 1e-9, patient_passes = 50, passes_per_decade = 25;
+    return rounding * std::pow(10.0, std::max(0.0, passes - patient_passes) / passes_per_decade);
+}
 
 }  // namespace
 
-PackingLimit::Pass PackingLimit::transfers_for(const Scalars& solid_volume) const
+PackingLimit::Pass PackingLimit::transfers_for(const Scalars& solid_volume, double slack) const
 {
     Pass pass;
     for (std::size_t c = 0; c < cells_.own_count(); ++c) {
@@ -43,6 +49,7 @@ void PackingLimit::relieve(Scalars& solid_volume)
     passes_.clear();
     cells_relieved_ = 0;
     for (int n = 0; n < most_passes; ++n) {
+        const double slack = slack_after(n);
         bool above = false;
         for (std::size_t c = 0; c < cells_.own_count() && !above; ++c)
             above = solid_volume[c] > (limit_ + slack) * cells_.volume(c);
@@ -50,7 +57,7 @@ void PackingLimit::relieve(Scalars& solid_volume)
 
         solid_volume.resize(cells_.local_count());
         cells_.fill_halo(solid_volume);
-        passes_.push_back(transfers_for(solid_volume));
+        passes_.push_back(transfers_for(solid_volume, slack));
         const Pass& pass = passes_.back();
         for (std::size_t i = 0; i < pass.size(); ++i)
             if (n == 0 && (i == 0 || pass[i].from != pass[i - 1].from)) ++cells_relieved_;
@@ -61,7 +68,7 @@ void PackingLimit::relieve(Scalars& solid_volume)
     std::optional<Problem> problem;
     for (std::size_t c = 0; c < cells_.own_count() && !problem; ++c) {
         const double packing = solid_volume[c] / cells_.volume(c);
-        if (packing > limit_ + slack)
+        if (packing > limit_ + slack_after(most_passes))
             problem = Problem{"the solid fraction (voidage field) is " + text(packing) + " in cell " +
                                   std::to_string(c) + " of rank " + std::to_string(comm_.rank()) +
                                   ", above the limit of " + text(limit_) + ", and no neighbour has room",

@@ -16,8 +16,8 @@ class BoxMesh : public CellLocator {
 public:
     using Planes = std::array<Scalars, 3>;
 
-    /// `planes`: coordinates along each axis [m], ascending. Needs at least as many layers along `cut` as ranks. Across a
-    /// `periodic` axis the sides are a cyclic pair.
+    /// `planes`: coordinates along each axis [m], ascending. Needs at least as many layers along `cut` as ranks. Across
+    /// a `periodic` axis the sides are a cyclic pair.
     BoxMesh(const Communicator& comm, Planes planes, int cut, const std::array<bool, 3>& periodic = {});
 
     const MeshView& view() const { return view_; }

@@ -108,7 +108,8 @@ WholeMesh WholeMesh::of_boxes(const std::array<Scalars, 3>& planes, const std::a
     WholeMesh mesh = of_cells(std::move(points), cells);
     for (std::size_t axis = 0; axis < 3; ++axis)
         if (periodic[axis])
-            mesh.glue_sides(Vector::Unit(static_cast<Eigen::Index>(axis)) * (planes[axis].back() - planes[axis].front()));
+            mesh.glue_sides(Vector::Unit(static_cast<Eigen::Index>(axis)) *
+                            (planes[axis].back() - planes[axis].front()));
     return mesh;
 }
 
@@ -127,7 +128,8 @@ void WholeMesh::glue_sides(const Vector& shift)
         for (const std::size_t g : boundary) {
             Face &here = faces[f], &there = faces[g];
             if (f == g || here.points.size() != there.points.size()) continue;
-            if (std::any_of(here.points.begin(), here.points.end(), [&](int p) { return image(p, there) < 0; })) continue;
+            if (std::any_of(here.points.begin(), here.points.end(), [&](int p) { return image(p, there) < 0; }))
+                continue;
             std::rotate(there.points.begin(), there.points.begin() + image(here.points[0], there), there.points.end());
             here.twin = static_cast<int>(g);
             there.twin = static_cast<int>(f);

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""OpenFOAM's polyMesh and cell fields as arrays, in ASCII files."""
+
+import os
+import re
+
+import numpy
+
+HEADER = "FoamFile {{ version 2.0; format ascii; class {}; object {}; }}\n"
+
+
+def _body(path):
+    """What follows the header: text from the length of the list on."""
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    return text[re.search(r"^\s*\d+\s*[({]", text[text.index("}"):], re.M).start() + text.index("}"):]
+
+
+def _numbers(text, kind=float):
+    return numpy.array(text.translate(str.maketrans("()", "  ")).split(), dtype=kind)
+
+
+def read_list(path, kind=float):
+    """The numbers of a list of scalars, labels or vectors (flat)."""
+    return _list(_body(path), kind)
+
+
+def _list(text, kind=float):
+    uniform = re.match(r"\s*(\d+)\s*{\s*(\S+)\s*}", text)
+    if uniform:
+        return numpy.full(int(uniform[1]), kind(uniform[2]))
+    count = re.match(r"\s*\d+", text)
+    return _numbers(text[count.end():text.rindex(")")], kind)
+
+
+def read_field(folder, time, name, cells):
+    """A cell field: [cells] or [cells, 3]."""
+    with open(os.path.join(folder, time, name), encoding="utf-8") as file:
+        text = file.read()
+    internal = text[text.index("internalField"):text.index("boundaryField")]
+    if re.match(r"internalField\s+uniform", internal):
+        values = _numbers(internal[internal.index("uniform") + 7:].strip().rstrip(";"))
+        return numpy.tile(values, (cells, 1)).squeeze(axis=1) if len(values) == 1 else numpy.tile(values, (cells, 1))
+    if cells == 0:
+        return numpy.empty(0)
+    values = _list(internal[internal.index(">") + 1:])
+    return values if len(values) == cells else values.reshape(cells, -1)
+
+
+class FoamMesh:
+    """points [n, 3] [m]; faces: lists of points; owner [faces], neighbour [inner faces]; cells' centres [m] and volumes [m3]
+    as OpenFOAM computes them."""
+
+    def __init__(self, folder):
+        at = os.path.join(folder, "constant", "polyMesh")
+        self.points = read_list(os.path.join(at, "points")).reshape(-1, 3)
+        flat = read_list(os.path.join(at, "faces"), int)
+        self.faces = []
+        i = 0
+        while i < len(flat):
+            self.faces.append(flat[i + 1:i + 1 + flat[i]])
+            i += 1 + flat[i]
+        self.owner = read_list(os.path.join(at, "owner"), int)
+        self.neighbour = read_list(os.path.join(at, "neighbour"), int)
+        self.cells = int(max(self.owner.max(), self.neighbour.max())) + 1  # the last may own no face
+        self._measure()
+
+    def _measure(self):
+        centre, area = numpy.empty((len(self.faces), 3)), numpy.empty((len(self.faces), 3))
+        for f, face in enumerate(self.faces):
+            corner = self.points[face]
+            middle = corner.mean(axis=0)
+            following = numpy.roll(corner, -1, axis=0)
+            triangle = numpy.cross(following - corner, middle - corner) / 2
+            size = numpy.linalg.norm(triangle, axis=1)
+            area[f] = triangle.sum(axis=0)
+            centre[f] = ((corner + following + middle) / 3 * size[:, None]).sum(axis=0) / size.sum()
+        inner = len(self.neighbour)
+        cell = numpy.concatenate([self.owner, self.neighbour])
+        face_centre = numpy.concatenate([centre, centre[:inner]])
+        face_area = numpy.concatenate([area, -area[:inner]])
+
+        def summed(values):
+            return numpy.stack([numpy.bincount(cell, values[:, i], self.cells) for i in range(3)], axis=1)
+
+        estimate = summed(face_centre) / numpy.bincount(cell, minlength=self.cells)[:, None]
+        pyramid = (face_area * (face_centre - estimate[cell])).sum(axis=1) / 3
+        self.volume = numpy.bincount(cell, pyramid, self.cells)
+        self.centre = summed((0.75 * face_centre + 0.25 * estimate[cell]) * pyramid[:, None]) / self.volume[:, None]
+        self.face_centre, self.face_area = centre, area
+
+
+def write_cells(folder, points, cells):
+    """Writes a polyMesh of cells, given as lists of faces (tuples of points), with one patch `walls`."""
+    middle = [numpy.mean([points[p] for face in cell for p in face], axis=0) for cell in cells]
+    faces = {}
+    for c, cell in enumerate(cells):
+        for face in cell:
+            faces.setdefault(tuple(sorted(face)), (face, []))[1].append(c)
+
+    def outwards(face, owner):
+        corner = points[list(face)]
+        area = numpy.cross(corner[1:-1] - corner[0], corner[2:] - corner[0]).sum(axis=0)
+        return face if area @ (corner[0] - middle[owner]) > 0 else (face[0], *face[:0:-1])
+
+    # inner faces first, by owner and neighbour: OpenFOAM's upper triangular order
+    listed = sorted(faces.values(), key=lambda face: (len(face[1]) == 1, face[1]))
+    inner = sum(len(of) == 2 for _, of in listed)
+    at = os.path.join(folder, "constant", "polyMesh")
+    os.makedirs(at, exist_ok=True)
+
+    def put(name, kind, lines):
+        with open(os.path.join(at, name), "w", encoding="utf-8") as file:
+            file.write(HEADER.format(kind, name) + f"{len(lines)}\n(\n" + "\n".join(lines) + "\n)\n")
+
+    put("points", "vectorField", ["({!r} {!r} {!r})".format(*map(float, p)) for p in points])
+    put("faces", "faceList", ["{}({})".format(len(f), " ".join(map(str, outwards(f, of[0])))) for f, of in listed])
+    put("owner", "labelList", [str(of[0]) for _, of in listed])
+    put("neighbour", "labelList", [str(of[1]) for _, of in listed[:inner]])
+    put("boundary", "polyBoundaryMesh", [f"walls {{ type wall; nFaces {len(listed) - inner}; startFace {inner}; }}"])
