@@ -18,7 +18,7 @@ Guests::Guests(const Communicator& comm, const MeshView& mesh, const StraightPat
 void Guests::leave(int face, const Point& point)
 {
     const MeshView::Face& half = mesh_.faces[index(face)];
-    OnItsWay going{half.partner_rank, half.partner, point.rank, point.particle, point.octave, point.share, {}, {}};
+    OnItsWay going{half.partner_rank, half.partner, point.rank, point.particle, point.size_class, point.share, {}, {}};
     set(going.at, point.path.at);
     set(going.to, point.path.to);
     leaving_.push_back(going);
@@ -39,7 +39,7 @@ std::vector<Guests::Point> Guests::arrive(std::size_t particles)
         leaving_.clear();
         for (const OnItsWay& from : coming) {
             Point point{paths_.enter(from.face, to_vector(from.at), to_vector(from.to)), from.share, from.rank,
-                        from.particle, from.octave};
+                        from.particle, from.size_class};
             const int face = paths_.follow(point.path);
             if (face >= 0)
                 leave(face, point);

@@ -23,7 +23,7 @@ public:
         double share;
         int rank;      ///< the particle's
         int particle;  ///< its number there
-        int octave;    ///< of its diameter
+        int size_class;
     };
 
     /// A point whose path leaves this rank through `face`.
@@ -63,7 +63,7 @@ public:
 
 private:
     struct OnItsWay {
-        int to_rank, face, rank, particle, octave;
+        int to_rank, face, rank, particle, size_class;
         double share, at[3], to[3];
     };
 

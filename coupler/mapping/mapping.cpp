@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.hpp"
 #include "mapping/sphere_points.hpp"
 
 namespace interphase {
@@ -72,6 +73,24 @@ void Mapping::make_classes()
     }
 }
 
+std::string Mapping::description(const Scalars& volumes)
+{
+    if (rules_.type == MappingType::cell_centre) return "to the cell that holds the centre";
+    cover(volumes);
+    std::string words;
+    for (std::size_t n = 0; n < classes_.size(); ++n) {
+        const SizeClass& sizes = classes_[n];
+        const double largest = octaves_.reference * std::exp2(octaves_.first + static_cast<int>(n));
+        if (n > 0) words += "; ";
+        if (rules_.width == 0) words += "spheres up to " + text(largest) + " m: ";
+        words += text(sizes.width) + " m wide, or as a cell where that is wider";
+        if (sizes.as_points) words += ", as " + std::to_string(SpherePoints::all().size()) + " points";
+        if (sizes.diffusion.sweeps() > 0)
+            words += ", diffused in " + std::to_string(sizes.diffusion.sweeps()) + " sweeps";
+    }
+    return words;
+}
+
 double Mapping::width_of(int octave) const
 {
     return rules_.width > 0 ? rules_.width : rules_.width_in_diameters * octaves_.reference * std::exp2(octave);
@@ -80,7 +99,7 @@ double Mapping::width_of(int octave) const
 bool Mapping::needs_points(double width) const
 {
     // Wider cells blur a packing's pattern with their own weights, in narrower ones diffusion does.
-    constexpr double widest = 1.05, narrowest = 0.22;
+    constexpr double widest = 0.95, narrowest = 0.22;
     if (rules_.type == MappingType::cell_centre) return false;
     bool some = false;
     for (std::size_t c = 0; c < cells_.own_count() && !some; ++c)
@@ -101,7 +120,7 @@ KernelVolume Mapping::kernel_volume(const Vector& position, int cell, double vol
     const double cell_volume = cells_.volume(own);
     if (rules_.type == MappingType::cell_centre) return {cell_volume, cell_volume};
 
-    const int octave = classes_.size() > 1 ? octave_of(volume) - first_octave_ : 0;
+    const int octave = classes_.size() > 1 ? octave_of(volume) - octaves_.first : 0;
     const SizeClass& sizes = classes_[static_cast<std::size_t>(octave)];
     const double side = std::cbrt(cell_volume), square = side * side;
     const double by_points = sizes.as_points ? SpherePoints::variance * sizes.width * sizes.width / 4 : 0.0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <climits>
+#include <string>
 #include <vector>
 
 #include "base/archive.hpp"
@@ -55,6 +56,9 @@ public:
         }
         if (some_have_guests_) guests_.send_home(of_particles);
     }
+
+    /// What is done for particles of these volumes [n, m3], in words. Collective.
+    std::string description(const Scalars& volumes);
 
     void keep(Archive& archive) { archive.keep("octaves", octaves_); }
 

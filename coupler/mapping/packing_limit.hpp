@@ -20,8 +20,9 @@ public:
         : cells_(cells), comm_(comm), limit_(limit)
     {}
 
-    /// Relieves `solid_volume` [own cells, m3] until no own cell is above the limit, to a thousandth where that takes more
-    /// than fifty passes, and remembers how. Throws a UserError where there is no room left for the excess. Collective.
+    /// Relieves `solid_volume` [own cells, m3] until no own cell is above the limit, to a thousandth where that takes
+    /// more than fifty passes, and remembers how. Throws a UserError where there is no room left for the excess.
+    /// Collective.
     void relieve(Scalars& solid_volume);
 
     /// Does to another content [own cells] what relieve() did to the solid volume. Collective.

@@ -71,8 +71,7 @@ CoupledRun::CoupledRun(GasCase& gas_case, const MakeParticleEngine& make_particl
             throw UserError("gas and particles feel different gravity: constant/g says " + text(gas_->gravity()) +
                                 " m/s2, fix gravity " + text(solids_->gravity()) + " m/s2",
                             "constant/g and " + settings_.script, "give both the same value");
-        coupling_ =
-            std::make_unique<CouplingStep>(comm_, settings_, *gas_, *solids_, stopwatch_);
+        coupling_ = std::make_unique<CouplingStep>(comm_, settings_, *gas_, *solids_, stopwatch_);
         coupling_->start_at(case_.time());
     }
     results_ = std::make_unique<Results>(comm_);
@@ -89,6 +88,7 @@ void CoupledRun::describe_run()
                   {"particles", numbers_of(at_start_)},
                   {"plug-ins", solids_->plugins()},
                   {"gas", std::string(gas_description(settings_)) + (gas_ ? ", drag " + settings_.drag_law : "")},
+                  {"mapping", coupling_ ? coupling_->mapping_description() : "none"},
                   {"steps", "gas " + text(gas_step_) + " s" + (case_.adjusts_gas_step() ? " at first" : "") +
                                 ", solids " + text(clock_.solid_step()) + " s" +
                                 (contact ? " = t_c/" + text(*contact / clock_.solid_step()) : "")},

@@ -39,6 +39,15 @@ CouplingStep::CouplingStep(const Communicator& comm, const Settings& settings, G
     if (stress_model_) stress_.emplace(comm_, gas_, mapping_, *stress_model_);
 }
 
+std::string CouplingStep::mapping_description()
+{
+    const ParticleView particles = solids_.particles();
+    Scalars volumes;
+    for (std::size_t i = 0; i < particles.size(); ++i)
+        volumes.push_back(sphere_volume(particles.radius[static_cast<Eigen::Index>(i)]));
+    return mapping_.description(volumes);
+}
+
 void CouplingStep::advance(double dt, int substeps)
 {
     solid_step_ = dt / substeps;
@@ -254,6 +263,7 @@ std::size_t CouplingStep::bytes_sent() const
 
 void CouplingStep::keep(Archive& archive)
 {
+    archive.keep("mapping", mapping_);
     archive.keep("forces", forces_);
     archive.keep("ledger", ledger_);
     archive.keep("watch", watch_);

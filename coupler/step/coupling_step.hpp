@@ -36,6 +36,9 @@ public:
     /// outside the mesh, a packing cannot be relieved, a value is not finite or a weight below 1. Collective.
     void advance(double dt, int substeps);
 
+    /// How the particles that are there are mapped to cells, in words. Collective.
+    std::string mapping_description();
+
     const Ledger& ledger() const { return ledger_; }
     const Scalars& voidage() const { return voidage_; }
     /// What the next gas step should not exceed, the same on all ranks [s]: what the solid stress bore in the last one
