@@ -128,6 +128,8 @@ KernelVolume Mapping::kernel_volume(const Vector& position, int cell, double vol
     // Points about the particle even out where in its cell it is; diffusion on a mesh spreads less at first than its
     // variance says. Both numbers are fits to uniform boxes of 0.5 to 2 diameters.
     constexpr double mean_crowding = 0.41, evening = 3.2, delay = 0.04;
+    // the same of a sphere and its trace half a cell before and behind it, along one axis
+    constexpr double mean_crowding_on_its_way = 0.36;
     const double spread =
         by_points + (by_diffusion > 0 ? by_diffusion * by_diffusion / (by_diffusion + delay * square) : 0.0);
     const auto with_crowding = [&](double crowding) {
@@ -136,7 +138,7 @@ KernelVolume Mapping::kernel_volume(const Vector& position, int cell, double vol
     };
     const double left = std::exp(-evening * by_points / square);
     return {with_crowding(mean_crowding + left * (crowding(position, own) - mean_crowding)),
-            with_crowding(mean_crowding)};
+            with_crowding(mean_crowding_on_its_way)};
 }
 
 double Mapping::crowding(const Vector& position, std::size_t cell) const
