@@ -9,7 +9,7 @@ namespace interphase {
 /// sees is its volume over this one. 0: nobody feels it.
 struct KernelVolume {
     double here = 0;        ///< where the particle is in its cell
-    double on_its_way = 0;  ///< of its trace in a cell like this against itself, on average
+    double on_its_way = 0;  ///< on average along its way, of the particle against its trace
 };
 
 /// The standard deviation [m] of a Gaussian kernel of this volume [m3], (4 pi)^(3/2) sigma^3.

@@ -114,7 +114,7 @@ double Mapping::half_variance(double width, bool as_points, double distance) con
     return 0.5 * std::max(0.0, variance_of(width) - variance_of(distance) - of_points);
 }
 
-KernelVolume Mapping::kernel_volume(const Vector& position, int cell, double volume) const
+KernelVolume Mapping::kernel_volume(const Vector& position, int cell, double volume, const Vector& velocity) const
 {
     const auto own = static_cast<std::size_t>(cell);
     const double cell_volume = cells_.volume(own);
@@ -128,8 +128,6 @@ KernelVolume Mapping::kernel_volume(const Vector& position, int cell, double vol
     // Points about the particle even out where in its cell it is; diffusion on a mesh spreads less at first than its
     // variance says. Both numbers are fits to uniform boxes of 0.5 to 2 diameters.
     constexpr double mean_crowding = 0.41, evening = 3.2, delay = 0.04;
-    // the same of a sphere and its trace half a cell before and behind it, along one axis
-    constexpr double mean_crowding_on_its_way = 0.36;
     const double spread =
         by_points + (by_diffusion > 0 ? by_diffusion * by_diffusion / (by_diffusion + delay * square) : 0.0);
     const auto with_crowding = [&](double crowding) {
@@ -137,8 +135,18 @@ KernelVolume Mapping::kernel_volume(const Vector& position, int cell, double vol
         return interphase::kernel_volume(deviation * deviation + spread);
     };
     const double left = std::exp(-evening * by_points / square);
-    return {with_crowding(mean_crowding + left * (crowding(position, own) - mean_crowding)),
-            with_crowding(mean_crowding_on_its_way)};
+    const auto evened = [&](double crowding) { return mean_crowding + left * (crowding - mean_crowding); };
+    const double here = evened(crowding(position, own));
+    const double speed = velocity.norm();
+    if (!(speed > 0)) return {with_crowding(here), with_crowding(here)};
+
+    // Two places half a cell apart have the mean of all on the line between cells' centres; and a sphere against its
+    // trace, half a cell before and behind it, has 0.88 of that.
+    constexpr double trace = 0.88;
+    const Vector step = 0.5 * side / speed * velocity;
+    const bool ahead = step.dot(subdivision_.centre(own) - position) > 0;
+    const Vector there = position + (ahead ? 1 : -1) * step;
+    return {with_crowding(here), with_crowding(trace * 0.5 * (here + evened(crowding(there, own))))};
 }
 
 double Mapping::crowding(const Vector& position, std::size_t cell) const

@@ -62,9 +62,10 @@ public:
 
     void keep(Archive& archive) { archive.keep("octaves", octaves_); }
 
-    /// Of a tracked sphere of that volume [m3] at `position` [m] in cell `cell`, once place() has seen its like: within
-    /// 13 % on uniform boxes (tests/mapping), and where the cells about it are alike.
-    KernelVolume kernel_volume(const Vector& position, int cell, double volume) const;
+    /// Of a tracked sphere of that volume [m3] at `position` [m] in cell `cell`, that moves along `velocity` on the
+    /// mesh; once place() has seen its like. Within 13 % on uniform boxes (tests/mapping), and where the cells about it
+    /// are alike.
+    KernelVolume kernel_volume(const Vector& position, int cell, double volume, const Vector& velocity) const;
 
     long cells_relieved() const { return limit_.cells_relieved(); }
     std::size_t bytes_sent() const { return joints_.bytes_sent() + cells_.bytes_sent() + guests_.bytes_sent(); }

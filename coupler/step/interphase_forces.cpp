@@ -122,7 +122,8 @@ void InterphaseForces::look_at(const Visitors& visitors, std::size_t i, Particle
     if (needs_.mean_diameter) at.mean_diameter = mean_diameters_[i];
 
     if (settings_.two_way && settings_.self_disturbance)
-        at.kernel_volume = mapping_.kernel_volume(to_vector(visitor.position), visitors.cell[i], visitor.volume);
+        at.kernel_volume =
+            mapping_.kernel_volume(to_vector(visitor.position), visitors.cell[i], visitor.volume, at.velocity);
 
     at.voidage = here_[i].voidage;
     at.gas_velocity = to_vector(here_[i].velocity);

@@ -68,11 +68,11 @@ public:
         for (int n = 0; n < most_tries; ++n) {
             rate = pressed_ * rate_of(slip);
             taken = std::min(rate * velocity_per_force(slip, rate), most_taken);
-            const double ratio = seen_speed > 0 ? seen_speed / (widening_ * (1 - taken) * slip) : 1.0;
+            const double ratio = seen_speed > 0 ? seen_speed / ((widening_ - taken) * slip) : 1.0;
             if (std::abs(ratio - 1) < close_enough) break;
-            slip *= std::pow(ratio, 1 / (1 + power * taken / (1 - taken)));
+            slip *= std::pow(ratio, 1 / (1 + power * taken / (widening_ - taken)));
         }
-        return {rate / (widening_ * (1 - taken)), taken >= most_taken};
+        return {rate / (widening_ - taken), taken >= most_taken};
     }
 
     /// Gas velocity that the particle sees per force that it gives [m/s/N], at an undisturbed slip speed [m/s] and
