@@ -25,7 +25,7 @@ std::unique_ptr<GasCase> opened(const Kind& kind)
 {
     Scene scene;
     std::vector<int> rank_of_cell;
-    const PolyMesh mesh = kind.make ? leaning(kind.make()) : PolyMesh{};
+    const PolyMesh mesh = kind.make ? kind.make() : PolyMesh{};
     if (kind.make) {
         scene.write_mesh = [&](const std::string& folder) { mesh.write(folder, kind.pair); };
         rank_of_cell = sliced(mesh, world().size());
@@ -77,13 +77,13 @@ protected:
         return std::make_unique<Mapping>(world(), mesh_, rules);
     }
 
-    /// Contents of the cells [cells]. Small spheres, so that no packing limit takes part.
-    Scalars deposited(double width, const Particles& particles) const
+    /// Contents of the cells [cells] of spheres of that diameter [m]. What they fill is small, so that no packing limit
+    /// takes part.
+    Scalars deposited(double width, const Particles& particles, double diameter = 1e-4) const
     {
         const auto map = mapping(width);
-        const Scalars volumes(particles.size(), 1e-12);
-        map->place(particles.position, particles.cell, volumes);
-        map->solid_volume(volumes);
+        map->place(particles.position, particles.cell, Scalars(particles.size(), M_PI / 6 * std::pow(diameter, 3)));
+        map->solid_volume(Scalars(particles.size(), 1e-12));
         return map->deposit(particles.content);
     }
 
@@ -163,11 +163,12 @@ TEST_P(OnMeshes, WhatPassesAFaceChangesNoCellByAJump)
         add(face.owner, first ? content : -content);
         if (face.neighbour >= 0) add(face.neighbour, -content);
     }
-    for (const double width : {0.0, 0.3}) {
-        const Scalars left = deposited(width, pairs);
+    // without diffusion, with it, and of spheres as large as cells, which are spread as points
+    for (const auto& [width, diameter] : {std::pair(0.0, 1e-4), std::pair(0.3, 1e-4), std::pair(0.5, 0.25)}) {
+        const Scalars left = deposited(width, pairs, diameter);
         // at most twenty faces of a cell and those around it, contents up to 3, gradients up to 2 over half a cell
         for (std::size_t c = 0; c < mesh_.size(); ++c)
-            EXPECT_LT(std::abs(left[c]), 1e4 * near) << c;
+            EXPECT_LT(std::abs(left[c]), 1e4 * near) << c << ", diameter " << diameter;
     }
 }
 
@@ -204,15 +205,18 @@ TEST_P(OnMeshes, TheWayBackIsTheTransposeAndNothingIsLost)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Of, OnMeshes,
-    testing::Values(Kind{"Tetrahedra", [] { return tetrahedra(2); }, {}}, Kind{"Prisms", [] { return prisms(2); }, {}},
-                    Kind{"Polyhedra", [] { return polyhedra(8, 2); }, {}},
-                    Kind{"PeriodicTetrahedra", [] { return tetrahedra(2); },
-                         Pair{[](const Vector& x) { return Vector(x + Vector(1, 0, 0.1)); }, "type cyclic; "}},
-                    Kind{"Box", {}, {}, 0}, Kind{"BoxPeriodicInX", {}, {}, 1}, Kind{"BoxPeriodicInXY", {}, {}, 2},
-                    Kind{"BoxPeriodicInXYZ", {}, {}, 3}),
-    [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Of, OnMeshes,
+                         testing::Values(Kind{"Tetrahedra", [] { return leaning(tetrahedra(2)); }, {}},
+                                         Kind{"Prisms", [] { return leaning(prisms(2)); }, {}},
+                                         Kind{"Polyhedra", [] { return leaning(polyhedra(8, 2)); }, {}},
+                                         Kind{"Refined", [] { return refined_in_the_middle(); }, {}},
+                                         Kind{"LeaningRefined", [] { return leaning(refined_in_the_middle()); }, {}},
+                                         Kind{"PeriodicTetrahedra", [] { return leaning(tetrahedra(2)); },
+                                              Pair{[](const Vector& x) { return Vector(x + Vector(1, 0, 0.1)); },
+                                                   "type cyclic; "}},
+                                         Kind{"Box", {}, {}, 0}, Kind{"BoxPeriodicInX", {}, {}, 1},
+                                         Kind{"BoxPeriodicInXY", {}, {}, 2}, Kind{"BoxPeriodicInXYZ", {}, {}, 3}),
+                         [](const auto& info) { return info.param.name; });
 
 }  // namespace
 }  // namespace interphase::testing_gas

@@ -210,6 +210,73 @@ inline PolyMesh tetrahedra(int n)
     return mesh;
 }
 
+/// 3 x 3 x 3 cubes, the middle one cut into eight: its faces are four of a neighbour's, and nodes hang on the edges of
+/// others.
+inline PolyMesh refined_in_the_middle()
+{
+    constexpr int n = 6;  // of the fine cubes along an edge
+    PolyMesh mesh{grid_points(n), {}};
+    using Place = std::array<int, 3>;
+    const auto number = [](const Place& p) { return p[0] + (n + 1) * (p[1] + (n + 1) * p[2]); };
+    const auto at_middle = [](const Place& p) {
+        return std::all_of(p.begin(), p.end(), [](int x) { return x >= 2 && x <= 4; });
+    };
+    const auto cube = [&](const Place& low, int size) {
+        std::vector<Polygon> faces;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            for (const int side : {0, size}) {
+                const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+                const auto corner = [&](int along_u, int along_v) {
+                    Place p = low;
+                    p[axis] += side;
+                    p[u] += along_u;
+                    p[v] += along_v;
+                    return p;
+                };
+                if (size == 2 && at_middle(corner(0, 0)) && at_middle(corner(2, 2))) {
+                    for (const int i : {0, 1})
+                        for (const int j : {0, 1})
+                            faces.push_back({number(corner(i, j)), number(corner(i + 1, j)),
+                                             number(corner(i + 1, j + 1)), number(corner(i, j + 1))});
+                    continue;
+                }
+                const std::array<Place, 4> corners{corner(0, 0), corner(size, 0), corner(size, size), corner(0, size)};
+                Polygon face;
+                for (std::size_t k = 0; k < 4; ++k) {
+                    const Place &a = corners[k], &b = corners[(k + 1) % 4];
+                    face.push_back(number(a));
+                    if (size == 2 && at_middle(a) && at_middle(b))
+                        face.push_back(number({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2}));
+                }
+                faces.push_back(face);
+            }
+        mesh.cells.push_back(faces);
+    };
+    for (int k = 0; k < n; k += 2)
+        for (int j = 0; j < n; j += 2)
+            for (int i = 0; i < n; i += 2) {
+                if (i != 2 || j != 2 || k != 2) {
+                    cube({i, j, k}, 2);
+                    continue;
+                }
+                for (int fine = 0; fine < 8; ++fine)
+                    cube({i + fine % 2, j + fine / 2 % 2, k + fine / 4}, 1);
+            }
+    // only points of some face
+    PolyMesh used;
+    std::map<int, int> new_number;
+    for (auto cell : mesh.cells) {
+        for (Polygon& face : cell)
+            for (int& p : face) {
+                const auto [at, is_new] = new_number.try_emplace(p, static_cast<int>(used.points.size()));
+                if (is_new) used.points.push_back(mesh.points[static_cast<std::size_t>(p)]);
+                p = at->second;
+            }
+        used.cells.push_back(cell);
+    }
+    return used;
+}
+
 /// Polygons of a plane, one above another in `layers` of equal height.
 inline PolyMesh columns(const std::vector<Vector>& in_plane, const std::vector<Polygon>& bases, int layers)
 {
