@@ -34,7 +34,7 @@ Mapping::Mapping(const Communicator& comm, const MeshView& mesh, const MappingRu
 
 int Mapping::octave_of(double volume) const
 {
-    if (rules_.width > 0 || rules_.type == MappingType::cell_centre) return 0;
+    if (rules_.type == MappingType::cell_centre) return 0;
     return static_cast<int>(std::ceil(std::log2(diameter_of(volume) / octaves_.reference) - 1e-6));
 }
 
@@ -59,16 +59,18 @@ void Mapping::make_classes()
 {
     classes_.clear();
     for (int octave = octaves_.first; octave <= octaves_.last; ++octave) {
-        const double width = width_of(octave);
-        const bool as_points = needs_points(width);
+        const double diameter = octaves_.reference * std::exp2(octave);
+        const double width = rules_.width > 0 ? rules_.width : rules_.width_in_diameters * diameter;
+        const double of_points = needs_points(diameter, width) ? SpherePoints::variance * diameter * diameter : 0.0;
         const auto beside_those_before = [&](double distance) {
             if (rules_.type == MappingType::cell_centre) return 0.0;
-            double more = half_variance(width, as_points, distance);
-            if (!classes_.empty()) more -= half_variance(classes_.back().width, classes_.back().as_points, distance);
+            double more = half_variance(width, of_points, distance);
+            if (!classes_.empty())
+                more -= half_variance(classes_.back().width, classes_.back().variance_of_points, distance);
             return std::max(0.0, more);
         };
         Diffusion diffusion(cells_, comm_, beside_those_before);
-        classes_.push_back({width, as_points, std::move(diffusion),
+        classes_.push_back({diameter, width, of_points, std::move(diffusion),
                             CellWeights(joints_, subdivision_, corner_cells_, cells_.own_count())});
     }
 }
@@ -80,37 +82,32 @@ std::string Mapping::description(const Scalars& volumes)
     std::string words;
     for (std::size_t n = 0; n < classes_.size(); ++n) {
         const SizeClass& sizes = classes_[n];
-        const double largest = octaves_.reference * std::exp2(octaves_.first + static_cast<int>(n));
         if (n > 0) words += "; ";
-        if (rules_.width == 0) words += "spheres up to " + text(largest) + " m: ";
+        if (rules_.width == 0) words += "spheres up to " + text(sizes.diameter) + " m: ";
         words += text(sizes.width) + " m wide, or as a cell where that is wider";
-        if (sizes.as_points) words += ", as " + std::to_string(SpherePoints::all().size()) + " points";
+        if (sizes.as_points()) words += ", as " + std::to_string(SpherePoints::all().size()) + " points";
         if (sizes.diffusion.sweeps() > 0)
             words += ", diffused in " + std::to_string(sizes.diffusion.sweeps()) + " sweeps";
     }
     return words;
 }
 
-double Mapping::width_of(int octave) const
-{
-    return rules_.width > 0 ? rules_.width : rules_.width_in_diameters * octaves_.reference * std::exp2(octave);
-}
-
-bool Mapping::needs_points(double width) const
+bool Mapping::needs_points(double diameter, double width) const
 {
     // Wider cells blur a packing's pattern with their own weights, in narrower ones diffusion does.
-    constexpr double widest = 0.95, narrowest = 0.22;
+    constexpr double widest = 1.9, narrowest = 0.44;
     if (rules_.type == MappingType::cell_centre) return false;
+    if (variance_of(width) < SpherePoints::variance * diameter * diameter)
+        return false;  // narrower than the points are
     bool some = false;
     for (std::size_t c = 0; c < cells_.own_count() && !some; ++c)
         for (auto link = cells_.links_begin(c); link != cells_.links_end(c); ++link)
-            some |= link->distance > narrowest * width && link->distance < widest * width;
+            some |= link->distance > narrowest * diameter && link->distance < widest * diameter;
     return comm_.any(some);
 }
 
-double Mapping::half_variance(double width, bool as_points, double distance) const
+double Mapping::half_variance(double width, double of_points, double distance)
 {
-    const double of_points = as_points ? SpherePoints::variance * width * width / 4 : 0.0;
     return 0.5 * std::max(0.0, variance_of(width) - variance_of(distance) - of_points);
 }
 
@@ -122,13 +119,13 @@ void Mapping::place(const Vectors& positions, const std::vector<int>& cells, con
         sizes.weights.clear();
     bool some_as_points = false;
     for (const SizeClass& sizes : classes_)
-        some_as_points |= sizes.as_points;
+        some_as_points |= sizes.as_points();
     for (std::size_t i = 0; i < particles_; ++i) {
         const int size_class = classes_.size() > 1 ? octave_of(volumes[i]) - octaves_.first : 0;
         SizeClass& sizes = classes_[static_cast<std::size_t>(size_class)];
         if (rules_.type == MappingType::cell_centre)
             sizes.weights.add_to_cell(i, cells[i]);
-        else if (sizes.as_points)
+        else if (sizes.as_points())
             add_as_points(sizes, i, positions[i], cells[i], size_class);
         else
             sizes.weights.add_spread(i, positions[i], cells[i]);
@@ -147,7 +144,7 @@ void Mapping::add_as_points(SizeClass& sizes, std::size_t particle, const Vector
 {
     const Vector from = position - subdivision_.centre(static_cast<std::size_t>(cell));
     for (const SpherePoints::Point& point : SpherePoints::all()) {
-        StraightPaths::Path path{cell, from, from + sizes.width / 2 * point.offset};
+        StraightPaths::Path path{cell, from, from + sizes.diameter * point.offset};
         const int face = paths_.follow(path);
         if (face >= 0)
             guests_.leave(face, {path, point.share, comm_.rank(), static_cast<int>(particle), size_class});

@@ -68,10 +68,13 @@ private:
     /// Particles whose diameters differ by less than an octave share a width. From the smallest to the largest: what a
     /// class diffuses beside those before it, and its particles.
     struct SizeClass {
-        double width;    ///< at half height [m]
-        bool as_points;  ///< as SpherePoints of a sphere of half that width
+        double diameter;            ///< of the largest [m]
+        double width;               ///< at half height [m]
+        double variance_of_points;  ///< of SpherePoints of that diameter [m2]; 0: spread from their centres
         Diffusion diffusion;
         CellWeights weights;
+
+        bool as_points() const { return variance_of_points > 0; }
     };
 
     template <class Record>
@@ -92,9 +95,8 @@ private:
     }
 
     int octave_of(double volume) const;
-    double width_of(int octave) const;
-    bool needs_points(double width) const;
-    double half_variance(double width, bool as_points, double distance) const;
+    bool needs_points(double diameter, double width) const;
+    static double half_variance(double width, double of_points, double distance);
     void cover(const Scalars& volumes);
     void make_classes();
     void add_as_points(SizeClass& sizes, std::size_t particle, const Vector& position, int cell, int size_class);

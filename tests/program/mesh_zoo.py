@@ -65,7 +65,7 @@ def lattice(low, high, diameter=D, edge=A, shift=(0, 0, 0), sites=None):
 
 
 def rings(radius, height, diameter=D):
-    """In a cylinder about z: rings half a spacing from the wall and from one another, each with as many spheres as its share
+    """In a cylinder about z (its mean radius, where the mesh has chords): rings half a spacing from the wall and from one another, each with as many spheres as its share
     of the area asks for, every second layer turned."""
     count = round(radius / diameter)
     width = radius / count
@@ -127,7 +127,7 @@ def scene(name, title, **options):
 
 def filled(size, mesh, **options):
     """A box [m] full of the lattice."""
-    return mesh, functools.partial(lattice, (0, 0, 0), size, **options)
+    return mesh, lambda _: lattice((0, 0, 0), size, **options)
 
 
 def column(*steps, cells=(4, 4, 8), cell=2 * A, grading=("1", "1", "1"), periodic="", unresolved="", **options):
@@ -182,14 +182,22 @@ scene("prisms", "prisms, edges 2.5 d to 3.5 d, shaken")(lambda: cut(meshes.prism
 RADIUS, HEIGHT = 12 * D, 16 * D
 
 
-@scene("o_grid", "O-grid in a cylinder")
-def _():
-    return (lambda folder: meshes.o_grid(folder, RADIUS, HEIGHT, 6, 6, 8)), lambda: rings(RADIUS, HEIGHT)
+def mean_radius(mesh):
+    return math.sqrt(mesh.volume.sum() / (math.pi * HEIGHT))
 
 
-@scene("snapped", "cylinder by snappyHexMesh, halved at the wall")
+def off_axis(mesh):
+    return numpy.hypot(*mesh.centre[:, :2].T) > 2.5 * D  # the innermost rings are no lattice
+
+
+@scene("o_grid", "O-grid in a cylinder", compared=off_axis)
 def _():
-    return (lambda folder: meshes.snapped_cylinder(folder, RADIUS, HEIGHT, 2 * D)), lambda: rings(RADIUS, HEIGHT)
+    return (lambda folder: meshes.o_grid(folder, RADIUS, HEIGHT, 6, 6, 8)), lambda mesh: rings(mean_radius(mesh), HEIGHT)
+
+
+@scene("snapped", "cylinder by snappyHexMesh, halved at the wall", compared=off_axis)
+def _():
+    return (lambda folder: meshes.snapped_cylinder(folder, RADIUS, HEIGHT, 2 * D)), lambda mesh: rings(mean_radius(mesh), HEIGHT)
 
 
 @scene("wedge", "wedge of 5 degrees, cells of 3 d",
@@ -199,7 +207,7 @@ def _():
     angle = math.radians(5)
     return (
         lambda folder: meshes.wedge(folder, 60 * D, 24 * D, (20, 8), angle),
-        lambda: radii(60 * D, 24 * D, angle, D),
+        lambda _: radii(60 * D, 24 * D, angle, D),
     )
 
 
@@ -237,7 +245,7 @@ def _():
         meshes.box(folder, size, (8, 4, 4))
         in_the_middle(folder, size)
 
-    return mesh, lambda: lattice((0, 0, 0), size / (2, 1, 1))
+    return mesh, lambda _: lattice((0, 0, 0), size / (2, 1, 1))
 
 
 @scene("large_sphere", "a bed, and one sphere of 5 d in the clear gas above",
@@ -246,14 +254,14 @@ def _():
     # compared: two cells below the bed's surface; empty: two cells above it, and 12 d below the large sphere
     size = numpy.multiply((4, 4, 32), 2 * A)
     one = Packing(numpy.array([(3.9 * A, 4.3 * A, 44.3 * A)]), numpy.array([5 * D]), 0)
-    return (lambda folder: meshes.box(folder, size, (4, 4, 32))), lambda: lattice((0, 0, 0), size * (1, 1, 10 / 32)) + one
+    return (lambda folder: meshes.box(folder, size, (4, 4, 32))), lambda _: lattice((0, 0, 0), size * (1, 1, 10 / 32)) + one
 
 
 @scene("two_sizes", "spheres of 3.1 and 9.4 mm in a vessel of 38 mm")
 def _():
     size = numpy.array((38e-3, 38e-3, 76e-3))
 
-    def packing():
+    def packing(_):
         large = lattice((0, 0, 0), size, 9.4e-3, 19e-3)
         small = lattice((0, 0, 0), size, 3.1e-3, 5.4e-3)
         return Packing(*dataclasses.astuple(large + small)[:2], large.fraction + small.fraction)
@@ -307,7 +315,7 @@ def prepare(scene, folder):
                   'particles { script "dem/in.liggghts"; solidStep 1e-6; } mapping { maximumPacking 0.99; '
                   f"{scene.mapping} }}\n")  # fmt: skip
     mesh = foam_mesh.FoamMesh(folder)
-    packing = scene.packing()
+    packing = scene.packing(mesh)
     low, high = mesh.points.min(axis=0), mesh.points.max(axis=0)
     support.write(os.path.join(folder, "dem/in.liggghts"), SCRIPT.format(
         boundary=" ".join("p" if axis in scene.periodic else "f" for axis in "xyz"), skin=D / 2))  # fmt: skip
@@ -355,12 +363,12 @@ class Outcome:
     setup: float  # seconds of wall time before the first step
 
 
-def near_corners(mesh):
-    """Cells [cells] within 1.5 d of a corner of a box in all directions, for the face-centred lattice."""
+def near_corners(mesh, diameter):
+    """Cells [cells] within 1.55 diameters of a corner of a box in all directions, for the face-centred lattice."""
     if SITES is CUBIC:
         return numpy.full(mesh.cells, False)
     from_sides = numpy.minimum(mesh.centre - mesh.points.min(axis=0), mesh.points.max(axis=0) - mesh.centre)
-    return (from_sides < 1.55 * D).all(axis=1)
+    return (from_sides < 1.55 * diameter).all(axis=1)
 
 
 def evaluated(scene, folder, mesh, packing, ranks=1):
@@ -373,7 +381,7 @@ def evaluated(scene, folder, mesh, packing, ranks=1):
         raise AssertionError(f"interphase on {ranks} ranks ended with {done.code}:\n{done.text[-3000:]}")
     wall = time.monotonic() - started
     found = solids(folder, mesh, ranks)
-    compared, empty = numpy.flatnonzero(scene.compared(mesh) & ~near_corners(mesh)), scene.empty(mesh)
+    compared, empty = numpy.flatnonzero(scene.compared(mesh) & ~near_corners(mesh, packing.diameters.max())), scene.empty(mesh)
     volume = SPHERE * (packing.diameters**3).sum()
     setup = re.search(r"^\s*setup\s+(\S+)", done.out, re.M)
     return Outcome(mesh, packing.fraction, found, found[compared] / packing.fraction - 1, compared,
@@ -387,6 +395,43 @@ def run(name, ranks=1, **changes):
         return evaluated(made, folder, *prepare(made, folder), ranks)
 
 
+@dataclasses.dataclass
+class Flow:
+    """Of gas that enters cases/packed-bed at 1.05 m/s with its lower half refined 2:1, layer by layer of cells: voidage and
+    superficial velocity [m/s]; and the pressure gradient across the refinement (0.75 coarse cells below to 0.5 above) over
+    that of the packing above it (2.5 to 5.5)."""
+
+    height: numpy.ndarray  # of the layers, in coarse cells from the refinement
+    voidage: numpy.ndarray
+    superficial: numpy.ndarray
+    gradient: float
+
+
+def flow_through_refinement():
+    with tempfile.TemporaryDirectory(prefix="interphase-") as root:
+        folder = support.ProgramTest.prepare("packed-bed", os.path.join(root, "case"), until=0.1)
+        for entry, value in (("writeFormat", "ascii"), ("writePrecision", "17")):
+            support.ProgramTest.set_entry(folder, "system/controlDict", entry, value)
+        meshes.tool(folder, "blockMesh")
+        cell = 2 * A
+        middle = 13 * cell  # of 3 + 20 + 3 cells
+        meshes.refine(folder, meshes.below(middle + 1e-6))
+        done = support.execute(folder)
+        if done.code != 0:
+            raise AssertionError(f"interphase ended with {done.code}:\n{done.text[-3000:]}")
+        mesh = foam_mesh.FoamMesh(folder)
+        voidage, velocity, pressure = (foam_mesh.read_field(folder, "0.1", n, mesh.cells) for n in ("voidage", "U", "p_rgh"))
+    height = numpy.round((mesh.centre[:, 2] - middle) / cell, 3)
+    layers = numpy.unique(height)
+
+    def mean(values):
+        return numpy.array([values[height == layer].mean() for layer in layers])
+
+    of_layer = dict(zip(layers.tolist(), mean(pressure)))
+    ratio = (of_layer[-0.75] - of_layer[0.5]) / (of_layer[2.5] - of_layer[5.5]) * 3 / 1.25
+    return Flow(layers, mean(voidage), mean(voidage * velocity[:, 2]), ratio)
+
+
 def table(names, mapping):
     print("| mesh | cells | solids | lowest | highest | where there are none |\n|---|---|---|---|---|---|")
     for name in names:
@@ -395,6 +440,11 @@ def table(names, mapping):
         leaked = f"{out.leaked:.4f}" if made.empty(out.mesh).any() else ""
         print(f"| {made.title} | {out.mesh.cells} | {out.fraction:.3f} | {100 * out.deviation.min():+.2f} % | "
               f"{100 * out.deviation.max():+.2f} % | {leaked} |", flush=True)  # fmt: skip
+    if "refined" in names and not mapping:
+        flow = flow_through_refinement()
+        near = abs(flow.height) < 3
+        print(f"\nGas through `refined`: superficial velocity {flow.superficial[near].min():.3f} to "
+              f"{flow.superficial[near].max():.3f} m/s of 1.05, pressure gradient across it {flow.gradient:.3f} of the packing's")
 
 
 def main():
