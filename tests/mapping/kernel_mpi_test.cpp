@@ -144,7 +144,8 @@ TEST(Kernel, HasTheWidthAtHalfHeightThatIsAskedFor)
     MappingRules given = without_limit(), wider = without_limit();
     given.width = 5;
     wider.width_in_diameters = 3;
-    // What a line between cells a quarter of the width apart makes of a Gaussian: 3 %.
+    // What a line between cells a quarter of the width apart makes of a Gaussian: 3 %. The points of a sphere, all as
+    // far from its centre, have a flatter top: 6 %.
     for (const double diameter : {2.0, 3.0, 4.0}) {
         EXPECT_NEAR(width_at_half_height(weights_of(world(), row(), centre, length / 2, diameter, without_limit())) /
                         (2 * diameter),
@@ -152,7 +153,7 @@ TEST(Kernel, HasTheWidthAtHalfHeightThatIsAskedFor)
             << "d = " << diameter;
         EXPECT_NEAR(width_at_half_height(weights_of(world(), row(), centre, length / 2, diameter / 1.5, wider)) /
                         (2 * diameter),
-                    1.0, 0.03)
+                    1.0, 0.06)
             << "d = " << diameter;
         EXPECT_NEAR(width_at_half_height(weights_of(world(), row(), centre, length / 2, diameter, given)) / 5, 1.0,
                     0.03)
