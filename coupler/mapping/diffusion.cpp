@@ -19,7 +19,9 @@ Diffusion::Diffusion(const CellGraph& cells, const Communicator& comm,
         most = std::max(most, given);
     }
     most = comm.max(most);
-    if (!(most > 0)) return;
+    // Where cells are as wide as the width asked for, round-off alone would be spread, at the cost of a sweep.
+    constexpr double negligible = 1e-6;
+    if (!(most > negligible)) return;
 
     // Two thirds at most in one step: then cells that fill and empty in turn, which a step of all would leave so, calm.
     // Round-off, which differs with the number of ranks, must not make one more of them.

@@ -9,6 +9,7 @@
 #include "mapping/cell_weights.hpp"
 #include "mapping/diffusion.hpp"
 #include "mapping/guests.hpp"
+#include "mapping/kernel_volume.hpp"
 #include "mapping/mapping_type.hpp"
 #include "mapping/packing_limit.hpp"
 #include "mapping/straight_paths.hpp"
@@ -61,6 +62,11 @@ public:
 
     void keep(Archive& archive) { archive.keep("octaves", octaves_); }
 
+    /// Of a tracked sphere of that volume [m3] at `position` [m] in cell `cell`, that moves along `velocity` on the
+    /// mesh; once place() has seen its like. Within 13 % on uniform boxes (tests/mapping), and where the cells about it
+    /// are alike.
+    KernelVolume kernel_volume(const Vector& position, int cell, double volume, const Vector& velocity) const;
+
     long cells_relieved() const { return limit_.cells_relieved(); }
     std::size_t bytes_sent() const { return joints_.bytes_sent() + cells_.bytes_sent() + guests_.bytes_sent(); }
 
@@ -97,6 +103,7 @@ private:
     int octave_of(double volume) const;
     bool needs_points(double diameter, double width) const;
     static double half_variance(double width, double of_points, double distance);
+    double crowding(const Vector& position, std::size_t cell) const;
     void cover(const Scalars& volumes);
     void make_classes();
     void add_as_points(SizeClass& sizes, std::size_t particle, const Vector& position, int cell, int size_class);

@@ -117,6 +117,10 @@ void read_drag(Reader& dict, Settings& settings)
     for (const DragLaw& law : drag_laws())
         laws.emplace_back(law.name);
     dict.choice({"law", "drag law, on the real particle's diameter"}, settings.drag_law, laws);
+    dict.choice(
+        {"selfDisturbance",
+         "what a particle sees of its own drag and solids in the gas: taken out of voidage and slip, or left in"},
+        settings.self_disturbance, {{"corrected", true}, {"left", false}});
 }
 
 void read_mapping(Reader& dict, Settings& settings)

@@ -35,6 +35,7 @@ struct Settings {
     bool two_way = true;  ///< whether the particles act on the gas
 
     std::string drag_law = "BVK";
+    bool self_disturbance = true;     ///< whether drag takes out what a particle sees of itself; two-way only
     std::vector<std::string> forces;  ///< interphase terms beside drag and pressure gradient (forces/terms.hpp)
 
     MappingRules mapping;

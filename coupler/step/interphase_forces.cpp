@@ -6,6 +6,7 @@
 
 #include "forces/drag/kinematic_wave.hpp"
 #include "forces/pressure_gradient/pressure_gradient.hpp"
+#include "forces/self_disturbance/self_disturbance.hpp"
 
 namespace interphase {
 
@@ -122,6 +123,13 @@ void InterphaseForces::look_at(const Visitors& visitors, std::size_t i, Particle
     if (needs_.mean_diameter) at.mean_diameter = mean_diameters_[i];
 
     at.voidage = here_[i].voidage;
+    // A kernel has the volume of a cell at least: among so many others the particle has nothing of its own in any case.
+    const bool is_alone = SelfDisturbance::may_matter(1 - at.voidage, visitor.volume / at.cell_volume);
+    at.kernel_volume = {};
+    if (settings_.two_way && settings_.self_disturbance && is_alone)
+        at.kernel_volume =
+            mapping_.kernel_volume(to_vector(visitor.position), visitors.cell[i], visitor.volume, at.velocity);
+
     at.gas_velocity = to_vector(here_[i].velocity);
     const PropertiesHere& gas = properties_[properties_.size() > 1 ? i : 0];
     at.density = gas.density;

@@ -90,8 +90,8 @@ TEST(Baffle, ThatEndsIsPassedAroundItsRimOnly)
     EXPECT_NEAR(behind({2.999999, 1.4, 3.5}), 0.5, 1e-3);
 }
 
-/// Copies of spheres and cells, `times` along x, each `length` from the one before; cells of copy n follow those of n - 1
-/// in rows of `row` cells, where rows of copies are joined to longer ones.
+/// Copies of spheres and cells, `times` along x, each `length` from the one before; cells of copy n follow those of n -
+/// 1 in rows of `row` cells, where rows of copies are joined to longer ones.
 Spheres repeated(const Spheres& spheres, int times, double length, int row)
 {
     Spheres all;
@@ -156,8 +156,8 @@ TEST(CyclicPair, IsNotSeenBySpheresThatMoveByACell)
 
 TEST(CyclicPair, OfTetrahedraJoinsWhatAFaceWithinWouldJoin)
 {
-    // The weights of a sphere at the middle of a box of cubes cut to tetrahedra, and of one at its corner: the same mesh
-    // seen from there, as the cut repeats with each cube.
+    // The weights of a sphere at the middle of a box of cubes cut to tetrahedra, and of one at its corner: the same
+    // mesh seen from there, as the cut repeats with each cube.
     const std::array<int, 3> n{3, 3, 3};
     WholeMesh mesh = tetrahedra(n);
     for (int axis = 0; axis < 3; ++axis)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The functions on cells of every shape: at least zero, one in sum, each one at its own joint, alike for the two cells at a
-// face; their integrals fill the cell.
+// The functions on cells of every shape: at least zero, one in sum, each one at its own joint, alike for the two cells
+// at a face; their integrals fill the cell.
 #include "mapping/cell_subdivision.hpp"
 
 #include <gtest/gtest.h>

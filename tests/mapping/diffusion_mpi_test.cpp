@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Diffusion along the faces: fewer sweeps do what many steps would, contents stay whole and positive, and no pattern of the
-// grid survives.
+// Diffusion along the faces: fewer sweeps do what many steps would, contents stay whole and positive, and no pattern of
+// the grid survives.
 #include "mapping/diffusion.hpp"
 
 #include <gtest/gtest.h>
@@ -68,7 +68,8 @@ public:
     Diffusion diffusion;
 };
 
-/// The same step by step from the definition, for one half-variance everywhere: `steps` and the values of the whole mesh.
+/// The same step by step from the definition, for one half-variance everywhere: `steps` and the values of the whole
+/// mesh.
 struct StepByStep {
     int steps = 0;
     Scalars smooth(const WholeMesh& mesh, double half_variance, Scalars values)

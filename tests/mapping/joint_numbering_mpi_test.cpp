@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which faces, edges and corners of cells are one: counted, they have the Euler characteristic of the space that the mesh
-// fills, corners - edges + faces - cells, whatever the shape of the cells and however they are spread over the ranks.
+// Which faces, edges and corners of cells are one: counted, they have the Euler characteristic of the space that the
+// mesh fills, corners - edges + faces - cells, whatever the shape of the cells and however they are spread over the
+// ranks.
 #include "mapping/joint_numbering.hpp"
 
 #include <gtest/gtest.h>
@@ -57,7 +58,10 @@ Counts count(const WholeMesh& mesh, unsigned seed = 1)
 
 constexpr long nx = 4, ny = 3, nz = 5;
 
-WholeMesh box(const std::array<bool, 3>& periodic = {}) { return WholeMesh::of_boxes(unit_planes({nx, ny, nz}), periodic); }
+WholeMesh box(const std::array<bool, 3>& periodic = {})
+{
+    return WholeMesh::of_boxes(unit_planes({nx, ny, nz}), periodic);
+}
 
 TEST(JointNumbering, ABoxHasTheFacesEdgesAndCornersOfItsGrid)
 {
@@ -83,8 +87,8 @@ TEST(JointNumbering, ATorusHasThreeFacesAndEdgesAndOneCornerACell)
 TEST(JointNumbering, HasTheEulerCharacteristicOfTheSpace)
 {
     for (const NamedMesh& each : mesh_zoo()) {
-        // Cyclic sides make a ring of it, a torus or both by an interval: 0. What has neither is a ball, 1; a baffle that
-        // reaches three of its sides leaves it one.
+        // Cyclic sides make a ring of it, a torus or both by an interval: 0. What has neither is a ball, 1; a baffle
+        // that reaches three of its sides leaves it one.
         const long expected = each.name.find("cyclic") == 0 ? 0 : 1;
         EXPECT_EQ(count(each.mesh).euler(), expected) << each.name;
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What holds on every mesh, for spheres of any size, on any number of ranks: contents sum to what was deposited, a constant
-// is interpolated as one, the two ways are transposed, nothing becomes negative, and ranks change nothing; with a packing
-// limit that acts and without.
+// What holds on every mesh, for spheres of any size, on any number of ranks: contents sum to what was deposited, a
+// constant is interpolated as one, the two ways are transposed, nothing becomes negative, and ranks change nothing;
+// with a packing limit that acts and without.
 #include "mapping/mapping.hpp"
 
 #include <gtest/gtest.h>
@@ -82,7 +82,8 @@ TEST_P(MappingOnMesh, ConservesIsTransposedAndTheSameOnAnyRanks)
             EXPECT_NEAR(value, 3.0, 3 * rounding);
         for (std::size_t c = 0; c < solid.size(); ++c) {
             EXPECT_GE(solid[c], 0.0);
-            EXPECT_LE(solid[c] / many.view.volume[c], filling.rules.maximum_packing + 1e-3);  // what it lets stand at last
+            EXPECT_LE(solid[c] / many.view.volume[c],
+                      filling.rules.maximum_packing + 1e-3);  // what it lets stand at last
         }
         EXPECT_EQ(world().sum(many.mapping.cells_relieved()) > 0, filling.limited);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Cells above the packing limit hand their excess on through their faces: solids and whatever goes with them stay whole, on
-// any number of ranks, and a lack of room is told.
+// Cells above the packing limit hand their excess on through their faces: solids and whatever goes with them stay
+// whole, on any number of ranks, and a lack of room is told.
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -74,8 +74,8 @@ TEST(PackingLimit, LeavesCellsWithinTheLimitAlone)
 
 TEST(PackingLimit, HandsOnThroughFacesOnly)
 {
-    // One cell of a box of 3 x 3 x 1 with all: what its corners' neighbours get has gone through two faces, so is less; on
-    // the other side of a baffle nothing arrives.
+    // One cell of a box of 3 x 3 x 1 with all: what its corners' neighbours get has gone through two faces, so is less;
+    // on the other side of a baffle nothing arrives.
     const Vector middle(1.5, 1.5, 0.5);
     Spheres one;
     one.add(middle, 4, sphere_volume(0.1));
@@ -138,7 +138,8 @@ TEST(PackingLimit, WithoutRoomAnywhereAllRanksAreToldWhere)
         FAIL() << "180 m3 of solids found room in 144";
     } catch (const UserError& error) {
         const std::string message = error.what();
-        for (const char* part : {"solid fraction", "in cell", "of rank", "limit of 0.6", "where:  at (", "maximumPacking"})
+        for (const char* part :
+             {"solid fraction", "in cell", "of rank", "limit of 0.6", "where:  at (", "maximumPacking"})
             EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
     }
 }

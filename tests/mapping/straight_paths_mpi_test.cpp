@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Straight paths from cell to cell end where a line in the box that the mesh fills ends, thrown back by its walls, or brought
-// in again on the other side of a cyclic pair.
+// Straight paths from cell to cell end where a line in the box that the mesh fills ends, thrown back by its walls, or
+// brought in again on the other side of a cyclic pair.
 #include "mapping/straight_paths.hpp"
 
 #include <gtest/gtest.h>
@@ -57,7 +57,16 @@ TEST(StraightPaths, EndWhereALineInTheBoxEnds)
         Box box = empty_box();
         for (const Vector& x : view.points)
             extend(box, x);
-        const Spheres starts = scattered(each.mesh, 3000, [](std::size_t) { return 1.0; });
+        Spheres starts = scattered(each.mesh, 3000, [](std::size_t) { return 1.0; });
+        for (const MeshView::Face& face : view.faces)
+            for (const int cell : {face.owner, face.neighbour})
+                for (std::size_t k = 0; cell >= 0 && k < face.points.size(); ++k) {
+                    // next to an edge, and to a corner
+                    const Vector &a = view.points[at(face.points[k])],
+                                 &b = view.points[at(face.points[(k + 1) % face.points.size()])];
+                    for (const Vector& x : {Vector(0.3 * a + 0.7 * b), a})
+                        starts.add(x + 1e-7 * (view.centre[at(cell)] - x), cell, 1.0);
+                }
         std::mt19937 random(2);
         std::normal_distribution<double> normal;
         for (std::size_t i = 0; i < starts.size(); ++i) {
@@ -71,7 +80,8 @@ TEST(StraightPaths, EndWhereALineInTheBoxEnds)
                 path = paths.enter(view.faces[at(face)].partner, path.at, path.to, path.faces);
             const Vector reached = view.centre[at(path.cell)] + path.to;
             // of a way of some cells over some faces
-            EXPECT_LT((reached - end).norm(), 1e-12) << each.name << ", from " << start.transpose() << " by " << way.transpose();
+            EXPECT_LT((reached - end).norm(), 1e-12)
+                << each.name << ", from " << start.transpose() << " by " << way.transpose();
             EXPECT_TRUE(subdivision.holds(path.to * (1 - 1e-9), at(path.cell)))
                 << each.name << ", from " << start.transpose() << " by " << way.transpose();
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Solids spread evenly over a mesh give every cell the same solid fraction, whatever the shape of the cells and the size
-// of the spheres: at walls, where cell sizes jump, on all ranks.
+// Solids spread evenly over a mesh give every cell the same solid fraction, whatever the shape of the cells and the
+// size of the spheres: at walls, where cell sizes jump, on all ranks.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -36,7 +36,8 @@ std::vector<Node> gauss(const std::vector<Node>& positive_half)
 const std::vector<Node> six = gauss({{0.2386191860831969, 0.4679139345726910},
                                      {0.6612093864662645, 0.3607615730481386},
                                      {0.9324695142031521, 0.1713244923791704}});
-const std::vector<Node> four = gauss({{0.3399810435848563, 0.6521451548625461}, {0.8611363115940526, 0.3478548451374538}});
+const std::vector<Node> four =
+    gauss({{0.3399810435848563, 0.6521451548625461}, {0.8611363115940526, 0.3478548451374538}});
 const std::vector<Node> two = gauss({{0.5773502691896257, 1.0}});
 
 /// Small spheres and what each of them stands for [m3].
@@ -45,9 +46,9 @@ struct Filling {
     Scalars share;
 };
 
-/// In each tetrahedron between the centre of a cell, that of one of its faces, the middle of an edge of it and one end, at
-/// 1 >= A >= B >= C >= 0: the functions of the joints are polynomials of degree 9 in A, 6 in B/A and 3 in C/B, and the
-/// volume goes with A^2 (B/A). So a sum over these is an integral over the mesh.
+/// In each tetrahedron between the centre of a cell, that of one of its faces, the middle of an edge of it and one end,
+/// at 1 >= A >= B >= C >= 0: the functions of the joints are polynomials of degree 9 in A, 6 in B/A and 3 in C/B, and
+/// the volume goes with A^2 (B/A). So a sum over these is an integral over the mesh.
 Filling integrated(const WholeMesh& mesh, double diameter)
 {
     const MeshView view = whole_view(mesh);
@@ -121,8 +122,8 @@ TEST(UniformDensity, OfEachSizeDoesSoInAMixture)
 
 TEST(UniformDensity, FillsCellsBetweenWarpedFacesWithinTheSquareOfTheWarp)
 {
-    // Faces count as planes, which their corners miss by up to `by` in cells of 1: to first order what one cell gets too
-    // much for that its neighbour gets as well. The factor is measured: 0.05 to 0.07 at any warp.
+    // Faces count as planes, which their corners miss by up to `by` in cells of 1: to first order what one cell gets
+    // too much for that its neighbour gets as well. The factor is measured: 0.05 to 0.07 at any warp.
     for (const double by : {0.04, 0.08, 0.16, 0.32}) {
         const WholeMesh mesh = shaken_boxes({4, 4, 3}, by);
         const double error = error_of_filling(mesh, integrated(mesh, 0.03), rules_of(MappingType::kernel));
@@ -136,7 +137,8 @@ TEST(UniformDensity, OfSpheresThatAreSeveralPointsIsWithinOnePercent)
     // a sixth of the smallest cells, away from its planes.
     constexpr double spacing = 0.1667;
     for (const NamedMesh& each : plane_meshes()) {
-        if (!each.convex || each.name == "hexagonalPrisms" || each.name == "truncatedOctahedra" || each.name == "baffle")
+        if (!each.convex || each.name == "hexagonalPrisms" || each.name == "truncatedOctahedra" ||
+            each.name == "baffle")
             continue;
         const MeshView view = whole_view(each.mesh);
         Box box = empty_box();

@@ -63,6 +63,7 @@ protected:
     std::unique_ptr<Scene> scene(bool held, const Vector& gravity = Vector::Zero()) const
     {
         Settings rules;
+        rules.self_disturbance = false;  // this gas does not give way
         rules.drag_law = "SchillerNaumann";
         const double cell = 20 * diameter;
         const test::BoxMesh::Planes planes{test::even_planes(0, cell, 1), test::even_planes(0, cell, 1),

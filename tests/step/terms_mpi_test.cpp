@@ -145,6 +145,7 @@ std::unique_ptr<Scene> at_rest_in_flow(const std::vector<Particle>& all, const s
     Settings rules;
     rules.drag_law = law;
     rules.mapping.type = MappingType::cell_centre;
+    rules.self_disturbance = false;  // this gas does not give way
     auto scene =
         std::make_unique<Scene>(world(),
                                 test::BoxMesh::Planes{test::even_planes(0, cell, 1), test::even_planes(0, cell, 1),

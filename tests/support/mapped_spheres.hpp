@@ -23,8 +23,8 @@ struct Spheres {
 
 double sphere_volume(double diameter);
 
-/// `count` places in cells drawn at random, in each in a tetrahedron between its centre, the centre of a face and a side
-/// of that; the sphere's diameter is `diameter(number)`.
+/// `count` places in cells drawn at random, in each in a tetrahedron between its centre, the centre of a face and a
+/// side of that; the sphere's diameter is `diameter(number)`.
 Spheres scattered(const WholeMesh& mesh, std::size_t count, const std::function<double(std::size_t)>& diameter,
                   unsigned seed = 1);
 

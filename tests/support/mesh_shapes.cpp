@@ -176,8 +176,8 @@ WholeMesh refined_boxes(const std::array<int, 3>& n, const std::function<bool(in
             const Vector middle = mean_of(side);
             if (fine(middle + 0.5 * (middle - centre))) {
                 for (std::size_t k = 0; k < 4; ++k)
-                    faces.push_back({side[k], 0.5 * (side[k] + side[(k + 1) % 4]), middle,
-                                     0.5 * (side[k] + side[(k + 3) % 4])});
+                    faces.push_back(
+                        {side[k], 0.5 * (side[k] + side[(k + 1) % 4]), middle, 0.5 * (side[k] + side[(k + 3) % 4])});
                 continue;
             }
             Polygon face;

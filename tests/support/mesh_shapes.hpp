@@ -29,7 +29,8 @@ WholeMesh pyramids(const std::array<int, 3>& n);
 /// Prisms on regular hexagons of side 0.6, in rows.
 WholeMesh hexagonal_prisms(const std::array<int, 3>& n);
 
-/// Truncated octahedra about the points of a body-centred lattice of constant 1, `n` times two of them: fourteen faces each.
+/// Truncated octahedra about the points of a body-centred lattice of constant 1, `n` times two of them: fourteen faces
+/// each.
 WholeMesh truncated_octahedra(const std::array<int, 3>& n);
 
 /// Blocks of 2 x 2 x 1 of which three quarters are one cell, shaped like an L: not convex.

@@ -23,7 +23,8 @@ std::vector<NamedMesh> mesh_zoo()
     const Vector x = Vector::UnitX(), y = Vector::UnitY(), z = Vector::UnitZ();
     return {
         {"uniform", WholeMesh::of_boxes(unit_planes({6, 5, 4}))},
-        {"graded", WholeMesh::of_boxes({graded_planes(0, 6, 6, 1.3), graded_planes(0, 5, 5, 1.0), graded_planes(0, 4, 8, 0.7)})},
+        {"graded",
+         WholeMesh::of_boxes({graded_planes(0, 6, 6, 1.3), graded_planes(0, 5, 5, 1.0), graded_planes(0, 4, 8, 0.7)})},
         {"shaken", shaken_boxes({6, 5, 4}, 0.15), false},
         {"refinedHalf", refined_boxes({3, 3, 3}, [](int, int, int k) { return k == 0; })},
         {"refinedHereAndThere", refined_boxes({3, 3, 3}, [](int i, int j, int k) { return (i + j + 2 * k) % 4 == 0; })},

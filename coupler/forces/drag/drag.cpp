@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "forces/drag/rate_over_step.hpp"
+#include "forces/self_disturbance/self_disturbance.hpp"
 
 namespace interphase {
 
@@ -41,13 +42,20 @@ double Drag::rate_at(const ParticleInGas& at, double voidage, double slip_speed)
 void Drag::act(const ParticleInGas& at, Response& response)
 {
     const Vector slip = at.slip();
-    const double eps = at.voidage;
+    const SelfDisturbance own(at);
+    const double eps = own.voidage();
     const double reynolds = superficial_reynolds(eps, slip.norm(), at.diameter, at.density, at.viscosity);
     beyond_range_ += eps < law_.voidage_min || eps > law_.voidage_max || reynolds > law_.reynolds_max;
 
     const DragState asked = asked_for(at);
-    const auto rate_of = [&](double speed) {
+    const auto of_undisturbed = [&](double speed) {
         return at.volume * drag_rate_per_volume(law_, eps, speed, at.diameter, at.density, at.viscosity, asked);
+    };
+    bool limited = false;
+    const auto rate_of = [&](double seen_speed) {
+        const SelfDisturbance::Rate rate = own.rate(of_undisturbed, seen_speed);
+        limited |= rate.limited;
+        return rate.of_seen;
     };
     const double inertia = at.mass + response.added_mass;
     const auto acceleration = [&] {
@@ -56,6 +64,7 @@ void Drag::act(const ParticleInGas& at, Response& response)
         return Vector((1 - at.held) * (at.mass / inertia) * all);
     };
     response.rate += rate_over_step(rate_of, slip, inertia, acceleration, at.duration);
+    limited_ += limited;
 }
 
 }  // namespace interphase

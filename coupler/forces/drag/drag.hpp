@@ -7,7 +7,8 @@
 
 namespace interphase {
 
-/// Drag by a law: the rate k that stands for a whole step (rate_over_step.hpp). It acts last, since the slip half way
+/// Drag by a law: the rate k that stands for a whole step (rate_over_step.hpp), of the gas as it would be without the
+/// particle (forces/self_disturbance). It acts last, since the slip half way
 /// through the step depends on what the other terms do.
 class Drag : public Term {
 public:
@@ -21,10 +22,15 @@ public:
 
     std::vector<Count> counts() const override
     {
-        return {{"beyond_drag_range", "particles beyond the drag law's range", beyond_range_}};
+        return {{"beyond_drag_range", "particles beyond the drag law's range", beyond_range_},
+                {"self_disturbance_limited", "particles that take most of the slip along", limited_}};
     }
 
-    void keep(Archive& archive) override { archive.keep("beyond_range", beyond_range_); }
+    void keep(Archive& archive) override
+    {
+        archive.keep("beyond_range", beyond_range_);
+        archive.keep("limited", limited_);
+    }
 
 private:
     /// What a law may ask for beside voidage and Reynolds number.
@@ -33,6 +39,7 @@ private:
     const DragLaw& law_;
     mutable ClusterLength cluster_length_;
     long beyond_range_ = 0;
+    long limited_ = 0;
 };
 
 }  // namespace interphase
