@@ -23,8 +23,6 @@ ROUND_OFF = 1e-12  # of sums over tens of thousands of spheres
 
 # What a regular packing may leave of its own pattern, which is not spread to nothing.
 REGULAR = 0.02
-# Walls of chords cut through the outermost ring of spheres.
-CHORDS = 0.03
 # Cells with more than three faces at a corner have kinks in their weights, which follow the pattern of spheres as large as
 # the cells.
 KINKS = 0.04
@@ -32,7 +30,7 @@ KINKS = 0.04
 SCENES = {
     "uniform": REGULAR, "refined": REGULAR, "thin": REGULAR, "graded": REGULAR, "cells_d": REGULAR, "cells_1.02d": REGULAR,
     "cells_half_d": REGULAR, "cells_5d": REGULAR, "tetrahedra": REGULAR, "prisms": REGULAR, "polyhedra": KINKS,
-    "small_polyhedra": KINKS, "refined_twice": KINKS, "spot": KINKS, "o_grid": REGULAR, "snapped": CHORDS, "wedge": REGULAR,
+    "small_polyhedra": KINKS, "refined_twice": KINKS, "spot": KINKS, "o_grid": REGULAR, "snapped": REGULAR, "wedge": REGULAR,
     "cyclic_x": REGULAR, "cyclic_xy": REGULAR, "cyclic_xyz": REGULAR, "cyclic_refined": REGULAR, "own_neighbour": REGULAR,
     "two_across": REGULAR, "flat": REGULAR, "short_baffle": REGULAR, "two_sizes": REGULAR,
 }  # fmt: skip
