@@ -57,22 +57,43 @@ void Mapping::cover(const Scalars& volumes)
 
 void Mapping::make_classes()
 {
-    classes_.clear();
+    struct Asked {
+        int octave;
+        double diameter, width, of_points;
+        double to_diffuse() const { return variance_of(width) - of_points; }
+    };
+    std::vector<Asked> all;
     for (int octave = octaves_.first; octave <= octaves_.last; ++octave) {
         const double diameter = octaves_.reference * std::exp2(octave);
         const double width = rules_.width > 0 ? rules_.width : rules_.width_in_diameters * diameter;
         const double of_points = needs_points(diameter, width) ? SpherePoints::variance * diameter * diameter : 0.0;
+        all.push_back({octave, diameter, width, of_points});
+    }
+    // in the order of sizes, unless all have the same width, where points take their part of it
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Asked& a, const Asked& b) { return a.to_diffuse() < b.to_diffuse(); });
+
+    classes_.clear();
+    class_of_octave_.assign(all.size(), 0);
+    for (const Asked& asked : all) {
         const auto beside_those_before = [&](double distance) {
             if (rules_.type == MappingType::cell_centre) return 0.0;
-            double more = half_variance(width, of_points, distance);
+            double more = half_variance(asked.width, asked.of_points, distance);
             if (!classes_.empty())
                 more -= half_variance(classes_.back().width, classes_.back().variance_of_points, distance);
             return std::max(0.0, more);
         };
         Diffusion diffusion(cells_, comm_, beside_those_before);
-        classes_.push_back({diameter, width, of_points, std::move(diffusion),
+        class_of_octave_[static_cast<std::size_t>(asked.octave - octaves_.first)] = classes_.size();
+        classes_.push_back({asked.diameter, asked.width, asked.of_points, std::move(diffusion),
                             CellWeights(joints_, subdivision_, corner_cells_, cells_.own_count())});
     }
+}
+
+std::size_t Mapping::class_of(double volume) const
+{
+    if (classes_.size() == 1) return 0;
+    return class_of_octave_[static_cast<std::size_t>(octave_of(volume) - octaves_.first)];
 }
 
 std::string Mapping::description(const Scalars& volumes)
@@ -117,8 +138,7 @@ KernelVolume Mapping::kernel_volume(const Vector& position, int cell, double vol
     const double cell_volume = cells_.volume(own);
     if (rules_.type == MappingType::cell_centre) return {cell_volume, cell_volume};
 
-    const int octave = classes_.size() > 1 ? octave_of(volume) - octaves_.first : 0;
-    const SizeClass& sizes = classes_[static_cast<std::size_t>(octave)];
+    const SizeClass& sizes = classes_[class_of(volume)];
     const double side = std::cbrt(cell_volume), square = side * side;
     const double by_points = sizes.variance_of_points;
     const double by_diffusion = 2 * half_variance(sizes.width, by_points, side);
@@ -183,12 +203,12 @@ void Mapping::place(const Vectors& positions, const std::vector<int>& cells, con
     for (const SizeClass& sizes : classes_)
         some_as_points |= sizes.as_points();
     for (std::size_t i = 0; i < particles_; ++i) {
-        const int size_class = classes_.size() > 1 ? octave_of(volumes[i]) - octaves_.first : 0;
-        SizeClass& sizes = classes_[static_cast<std::size_t>(size_class)];
+        const std::size_t size_class = class_of(volumes[i]);
+        SizeClass& sizes = classes_[size_class];
         if (rules_.type == MappingType::cell_centre)
             sizes.weights.add_to_cell(i, cells[i]);
         else if (sizes.as_points())
-            add_as_points(sizes, i, positions[i], cells[i], size_class);
+            add_as_points(size_class, i, positions[i], cells[i]);
         else
             sizes.weights.add_spread(i, positions[i], cells[i]);
     }
@@ -202,14 +222,16 @@ void Mapping::place(const Vectors& positions, const std::vector<int>& cells, con
     some_have_guests_ = comm_.any(guests_.count() > 0);
 }
 
-void Mapping::add_as_points(SizeClass& sizes, std::size_t particle, const Vector& position, int cell, int size_class)
+void Mapping::add_as_points(std::size_t size_class, std::size_t particle, const Vector& position, int cell)
 {
+    SizeClass& sizes = classes_[size_class];
     const Vector from = position - subdivision_.centre(static_cast<std::size_t>(cell));
     for (const SpherePoints::Point& point : SpherePoints::all()) {
         StraightPaths::Path path{cell, from, from + sizes.diameter * point.offset};
         const int face = paths_.follow(path);
         if (face >= 0)
-            guests_.leave(face, {path, point.share, comm_.rank(), static_cast<int>(particle), size_class});
+            guests_.leave(face,
+                          {path, point.share, comm_.rank(), static_cast<int>(particle), static_cast<int>(size_class)});
         else
             sizes.weights.add_point(subdivision_.centre(static_cast<std::size_t>(path.cell)) + path.to, path.cell,
                                     point.share);

@@ -71,8 +71,8 @@ public:
     std::size_t bytes_sent() const { return joints_.bytes_sent() + cells_.bytes_sent() + guests_.bytes_sent(); }
 
 private:
-    /// Particles whose diameters differ by less than an octave share a width. From the smallest to the largest: what a
-    /// class diffuses beside those before it, and its particles.
+    /// Particles whose diameters differ by less than an octave share a width. From the least diffused to the most: what
+    /// a class diffuses beside those before it, and its particles.
     struct SizeClass {
         double diameter;            ///< of the largest [m]
         double width;               ///< at half height [m]
@@ -101,12 +101,13 @@ private:
     }
 
     int octave_of(double volume) const;
+    std::size_t class_of(double volume) const;
     bool needs_points(double diameter, double width) const;
     static double half_variance(double width, double of_points, double distance);
     double crowding(const Vector& position, std::size_t cell) const;
     void cover(const Scalars& volumes);
     void make_classes();
-    void add_as_points(SizeClass& sizes, std::size_t particle, const Vector& position, int cell, int size_class);
+    void add_as_points(std::size_t size_class, std::size_t particle, const Vector& position, int cell);
 
     Communicator comm_;
     MappingRules rules_;
@@ -128,7 +129,8 @@ private:
         int first = INT_MAX, last = INT_MIN;
     };
     Octaves octaves_;
-    std::vector<SizeClass> classes_;
+    std::vector<SizeClass> classes_;  ///< by what they diffuse
+    std::vector<std::size_t> class_of_octave_;
 };
 
 }  // namespace interphase
