@@ -124,7 +124,8 @@ void InterphaseForces::look_at(const Visitors& visitors, std::size_t i, Particle
 
     at.voidage = here_[i].voidage;
     // A kernel has the volume of a cell at least: among so many others the particle has nothing of its own in any case.
-    const bool is_alone = SelfDisturbance::may_matter(1 - at.voidage, visitor.volume / at.cell_volume);
+    const bool is_alone =
+        SelfDisturbance::may_matter(1 - at.voidage, visitor.volume / at.real_particles() / at.cell_volume);
     at.kernel_volume = {};
     if (settings_.two_way && settings_.self_disturbance && is_alone)
         at.kernel_volume =

@@ -55,7 +55,9 @@ double isolation(double solid_fraction)
 SelfDisturbance::SelfDisturbance(const ParticleInGas& at) : at_(at), voidage_(at.voidage)
 {
     if (!(at.kernel_volume.here > 0)) return;
-    const double own_fraction = at.volume / at.kernel_volume.here, seen = 1 - at.voidage;
+    // Of a parcel's real particles, which stand somewhere about it, each has its own part and the rest are others.
+    real_particles_ = at.real_particles();
+    const double own_fraction = at.volume / real_particles_ / at.kernel_volume.here, seen = 1 - at.voidage;
     const auto others = [&](double own) { return std::max(0.0, seen - margin * own * own_fraction); };
     solids_around_ = others(isolation(others(1.0)));
     own_ = isolation(solids_around_);

@@ -74,7 +74,7 @@ public:
         double slip = seen_speed / widening_, rate = 0, taken = 0;
         for (int n = 0; n < most_tries; ++n) {
             rate = pressed_ * rate_of(slip);
-            taken = std::min(rate * velocity_per_force(slip, rate), most_taken);
+            taken = std::min(rate / real_particles_ * velocity_per_force(slip, rate), most_taken);
             const double ratio = seen_speed > 0 ? seen_speed / ((widening_ - taken) * slip) : 1.0;
             if (std::abs(ratio - 1) < close_enough) break;
             slip *= std::pow(ratio, 1 / (1 + power * taken / (widening_ - taken)));
@@ -97,6 +97,7 @@ private:
     static constexpr double margin = 1.2;
 
     const ParticleInGas& at_;
+    double real_particles_ = 1;
     double own_ = 0;            ///< what of the disturbance is its own
     double voidage_;            ///< [-]
     double solids_around_ = 0;  ///< solid fraction of others

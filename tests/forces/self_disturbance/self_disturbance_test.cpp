@@ -149,17 +149,26 @@ TEST(SelfDisturbance, ComesAndGoesWithoutAJump)
 TEST(SelfDisturbance, IsLimitedAndCountedWhereAParticleTakesAllOfTheSlipAlong)
 {
     Drag drag(*find_drag_law("SchillerNaumann"));
-    // A parcel of 100 spheres in a kernel as wide as its own diameter asks for: with W times the force and W^(1/3) the
-    // width, the slip taken along is W^(2/3) 0.33 of it, beyond all.
-    constexpr double weight = 100;
-    ParticleInGas at = alone(1e-3, 0.85 * std::cbrt(weight));
-    at.volume *= weight;
-    at.mass *= weight;
-    at.voidage = 1 - at.volume / at.kernel_volume.here;
+    // in a kernel a quarter of a diameter wide the slip taken along is 0.28/0.25 of it, beyond all
+    const ParticleInGas at = alone(1e-3, 0.25);
     const double slip = at.gas_velocity.z();
     EXPECT_LT(rate_of(drag, at), drag.rate_at(at, 1.0, slip) / (1 - SelfDisturbance::most_taken));
     EXPECT_EQ(drag.counts()[1].number, 1);
     EXPECT_EQ(drag.counts()[1].key, "self_disturbance_limited");
+}
+
+TEST(SelfDisturbance, OfAParcelIsThatOfOneOfItsParticles)
+{
+    Drag drag(*find_drag_law("SchillerNaumann"));
+    constexpr double weight = 8;
+    const ParticleInGas one = alone(1.0, 2);
+    ParticleInGas parcel = one;  // what each of eight spheres in its place sees
+    parcel.volume *= weight;
+    parcel.mass *= weight;
+    parcel.voidage = 1 - parcel.volume / parcel.kernel_volume.here;
+    ParticleInGas single = one;
+    single.voidage = parcel.voidage;
+    EXPECT_NEAR(rate_of(drag, parcel) / (weight * rate_of(drag, single)), 1, 1e-9);
 }
 
 }  // namespace

@@ -115,7 +115,7 @@ class BedAtRest(support.ProgramTest):
             height, relieved = file["/series/bed_height"][:], file["/ledger/cells_relieved"][-1]
             beyond = file["/ledger/cells_beyond_close_packing"][:]
             energy = file["/series/kinetic_energy"][:]
-        rest = time > 2  # it falls, and sloshes once or twice
+        rest = time > 3  # it falls, and sloshes until 2.6 s
         print(f"fullest cell {fullest.max():.4f}, at rest {fullest[rest].max():.4f}; bed height {height[rest].min():.4f} to "
               f"{height[rest].max():.4f} m; kinetic energy at most {energy[rest].max():.1e} of {energy[0]:.1e} J; cells relieved {relieved:.0f}, beyond close packing {beyond[-1]:.0f}")  # fmt: skip
         self.assertLess(fullest[rest].max(), 1.02 * self.CLOSE_PACKING)
