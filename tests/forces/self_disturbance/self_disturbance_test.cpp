@@ -149,8 +149,11 @@ TEST(SelfDisturbance, ComesAndGoesWithoutAJump)
 TEST(SelfDisturbance, IsLimitedAndCountedWhereAParticleTakesAllOfTheSlipAlong)
 {
     Drag drag(*find_drag_law("SchillerNaumann"));
-    // in a kernel a quarter of a diameter wide the slip taken along is 0.28/0.25 of it, beyond all
-    const ParticleInGas at = alone(1e-3, 0.25);
+    // Wholly in one cell of 1.24 diameters (`type cellCentre`): a kernel of 0.35 diameters, of which a mesh makes twice
+    // the velocity, takes 1.6 of the slip along.
+    ParticleInGas at = alone(1e-3, 0.35);
+    at.cell_volume = at.kernel_volume.here;
+    at.cell_extent.setConstant(std::cbrt(at.cell_volume));
     const double slip = at.gas_velocity.z();
     EXPECT_LT(rate_of(drag, at), drag.rate_at(at, 1.0, slip) / (1 - SelfDisturbance::most_taken));
     EXPECT_EQ(drag.counts()[1].number, 1);
