@@ -19,6 +19,7 @@ struct ParticleInGas {
     double held = 0;                      ///< how far contacts hold it, 0 to 1 (momentum/drag_response.hpp)
     Vector cell_extent = Vector::Zero();  ///< of the gas cell that holds its centre
     double cell_volume = 0;               ///< of that cell
+    double cell_size = 0;                 ///< its cube root
     KernelVolume kernel_volume;           ///< over which the gas feels it
     double mean_diameter = 0;             ///< Sauter mean of the real particles around; if asked for
 

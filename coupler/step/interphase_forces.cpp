@@ -19,6 +19,8 @@ InterphaseForces::InterphaseForces(const Settings& settings, Gas& gas, const Map
       drag_(*find_drag_law(settings.drag_law)),
       hold_(gas.mesh().size())
 {
+    for (const double volume : gas.mesh().volume)
+        cell_size_.push_back(std::cbrt(volume));
     terms_.insert(terms_.begin(), std::make_unique<PressureGradient>());
     needs_ = drag_.needs();
     for (const auto& term : terms_)
@@ -120,17 +122,10 @@ void InterphaseForces::look_at(const Visitors& visitors, std::size_t i, Particle
     const auto cell = static_cast<std::size_t>(visitors.cell[i]);
     at.cell_extent = gas_.mesh().extent[cell];
     at.cell_volume = gas_.mesh().volume[cell];
+    at.cell_size = cell_size_[cell];
     if (needs_.mean_diameter) at.mean_diameter = mean_diameters_[i];
 
     at.voidage = here_[i].voidage;
-    // A kernel has the volume of a cell at least: among so many others the particle has nothing of its own in any case.
-    const bool is_alone =
-        SelfDisturbance::may_matter(1 - at.voidage, visitor.volume / at.real_particles() / at.cell_volume);
-    at.kernel_volume = {};
-    if (settings_.two_way && settings_.self_disturbance && is_alone)
-        at.kernel_volume =
-            mapping_.kernel_volume(to_vector(visitor.position), visitors.cell[i], visitor.volume, at.velocity);
-
     at.gas_velocity = to_vector(here_[i].velocity);
     const PropertiesHere& gas = properties_[properties_.size() > 1 ? i : 0];
     at.density = gas.density;
@@ -143,6 +138,11 @@ void InterphaseForces::look_at(const Visitors& visitors, std::size_t i, Particle
         at.velocity_gradient =
             Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(gradients_[i].of_velocity);
     if (needs_.viscous_force) at.viscous_force = to_vector(viscous_forces_[i].force);
+
+    at.kernel_volume = {};
+    if (settings_.two_way && settings_.self_disturbance && SelfDisturbance::may_matter(at))
+        at.kernel_volume =
+            mapping_.kernel_volume(to_vector(visitor.position), visitors.cell[i], visitor.volume, at.velocity);
 }
 
 void InterphaseForces::ask(const Visitors& visitors, const Scalars& voidage, const Step& step, Demand& demand)

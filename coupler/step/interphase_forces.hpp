@@ -97,6 +97,7 @@ private:
 
     Step step_{};
     bool first_step_ = true;
+    Scalars cell_size_;          ///< own cells: cube roots of their volumes [m]
     std::vector<Hold> hold_;     ///< own cells: by contacts
     Scalars pressure_gradient_;  ///< own cells [n x 3, Pa/m]
 

@@ -52,6 +52,21 @@ double isolation(double solid_fraction)
     return (long_wave_structure_factor(solid_fraction) - at_none) / (1 - at_none);
 }
 
+bool SelfDisturbance::may_matter(const ParticleInGas& at)
+{
+    const double own_fraction = at.volume / at.real_particles() / at.cell_volume;
+    const double own = isolation(std::max(0.0, 1 - at.voidage - margin * own_fraction));
+    if (own * own_fraction > negligible) return true;
+    if (own == 0) return false;
+    const double width = at.cell_size / (std::sqrt(4 * M_PI) * at.diameter);  // kernel_deviation() of the cell's volume
+    const double reynolds = at.slip_reynolds();
+    const double root = std::sqrt(reynolds), above = std::max(1.0, root * std::sqrt(root));  // Re^0.75 for Re^0.687
+    const double drag = 3 * M_PI * (1 + 0.15 * above);                                       // of mu d
+    constexpr double excess = 2;                                                             // excess_on_mesh(1)
+    const double most_on_mesh = excess / (6 * M_PI * root_pi * width);
+    return own * drag * most_on_mesh * share_in_stream(reynolds * width) > negligible;
+}
+
 SelfDisturbance::SelfDisturbance(const ParticleInGas& at) : at_(at), voidage_(at.voidage)
 {
     if (!(at.kernel_volume.here > 0)) return;

@@ -48,12 +48,10 @@ class SelfDisturbance {
 public:
     explicit SelfDisturbance(const ParticleInGas& at);
 
-    /// Whether anything of the disturbance can be the particle's own where it sees this solid fraction and has at most
-    /// `own_fraction` in it.
-    static bool may_matter(double solid_fraction, double own_fraction)
-    {
-        return solid_fraction - margin * own_fraction < crowded;
-    }
+    /// Whether the particle's own part, of voidage or of slip, may be more than `negligible` [-]: a bound by the least
+    /// volume that a kernel has, its cell's, and Schiller and Naumann's drag, to spare the rest of it in beds.
+    static bool may_matter(const ParticleInGas& at);
+    static constexpr double negligible = 0.005;
 
     /// Without the particle's own part.
     double voidage() const { return voidage_; }
