@@ -120,11 +120,23 @@ bool Mapping::needs_points(double diameter, double width) const
     if (rules_.type == MappingType::cell_centre) return false;
     if (variance_of(width) < SpherePoints::variance * diameter * diameter)
         return false;  // narrower than the points are
+    return has_cells_between(narrowest * diameter, widest * diameter);
+}
+
+bool Mapping::has_cells_between(double least, double most) const
+{
     bool some = false;
     for (std::size_t c = 0; c < cells_.own_count() && !some; ++c)
         for (auto link = cells_.links_begin(c); link != cells_.links_end(c); ++link)
-            some |= link->distance > narrowest * diameter && link->distance < widest * diameter;
+            some |= link->distance > least && link->distance < most;
     return comm_.any(some);
+}
+
+bool Mapping::has_cells_of(double least, double most) const
+{
+    return std::any_of(classes_.begin(), classes_.end(), [&](const SizeClass& sizes) {
+        return has_cells_between(least * sizes.diameter, most * sizes.diameter);
+    });
 }
 
 double Mapping::half_variance(double width, double of_points, double distance)

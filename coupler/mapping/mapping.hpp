@@ -60,6 +60,10 @@ public:
     /// What is done for particles of these volumes [n, m3], in words. Collective.
     std::string description(const Scalars& volumes);
 
+    /// Whether some cells are so many diameters of some spheres apart, once description() or place() has seen these.
+    /// Collective.
+    bool has_cells_of(double least, double most) const;
+
     void keep(Archive& archive) { archive.keep("octaves", octaves_); }
 
     /// Of a tracked sphere of that volume [m3] at `position` [m] in cell `cell`, that moves along `velocity` on the
@@ -103,6 +107,7 @@ private:
     int octave_of(double volume) const;
     std::size_t class_of(double volume) const;
     bool needs_points(double diameter, double width) const;
+    bool has_cells_between(double least, double most) const;  ///< [m]. Collective.
     static double half_variance(double width, double of_points, double distance);
     double crowding(const Vector& position, std::size_t cell) const;
     void cover(const Scalars& volumes);
