@@ -29,10 +29,7 @@ CellGraph::CellGraph(const Communicator& comm, const MeshView& mesh)
     const auto centre_of = [&](int cell) { return mesh.centre[static_cast<std::size_t>(cell)]; };
     const auto links_of = [&](int cell) -> std::vector<Link>& { return of_cell[static_cast<std::size_t>(cell)]; };
 
-    std::vector<std::vector<std::size_t>> halves(static_cast<std::size_t>(comm.size()));
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-        const MeshView::Face& face = mesh.faces[f];
-        if (face.partner >= 0) halves[static_cast<std::size_t>(face.partner_rank)].push_back(f);
+    for (const MeshView::Face& face : mesh.faces) {
         if (face.neighbour < 0) continue;
         const Link link = link_across(face.neighbour, face.area, centre_of(face.neighbour) - centre_of(face.owner));
         links_of(face.owner).push_back(link);
@@ -42,7 +39,7 @@ CellGraph::CellGraph(const Communicator& comm, const MeshView& mesh)
     ExchangePlan plan(comm);
     std::vector<int> counts, wanted_of;
     std::vector<OtherHalf> out;
-    for (const auto& faces : halves) {
+    for (const auto& faces : mesh.halves_by_rank(comm.size())) {
         counts.push_back(static_cast<int>(faces.size()));
         for (const std::size_t f : faces) {
             const MeshView::Face& face = mesh.faces[f];

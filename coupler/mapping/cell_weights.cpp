@@ -9,12 +9,8 @@ CellWeights::CellWeights(const Joints& joints, const CellSubdivision& subdivisio
       subdivision_(subdivision),
       corner_cells_(corner_cells),
       cells_(cells),
-      place_of_joint_(joints.count(), nowhere),
       entry_at_(cells + joints.shared().size(), nowhere)
-{
-    for (std::size_t n = 0; n < joints.shared().size(); ++n)
-        place_of_joint_[static_cast<std::size_t>(joints.shared()[n])] = static_cast<int>(cells + n);
-}
+{}
 
 void CellWeights::clear()
 {
@@ -41,10 +37,10 @@ void CellWeights::add_at(int place, double weight)
 void CellWeights::add(int joint, double weight)
 {
     if (weight == 0) return;
-    const int place = place_of_joint_[static_cast<std::size_t>(joint)];
-    if (place != nowhere) {
+    const int shared = joints_.place_in_shared(joint);
+    if (shared >= 0) {
         make_room(1);
-        add_at(place, weight);
+        add_at(static_cast<int>(cells_) + shared, weight);
         return;
     }
     const auto shares = joints_.shares(joint);

@@ -98,8 +98,7 @@ private:
     const CellSubdivision& subdivision_;
     const CornerCells& corner_cells_;
     std::size_t cells_;
-    std::vector<int> place_of_joint_;  ///< of the shared ones, or nowhere
-    std::vector<int> entry_at_;        ///< of the particle that is being added, at each place; or nowhere
+    std::vector<int> entry_at_;  ///< of the particle that is being added, at each place; or nowhere
     std::vector<std::size_t> particle_;
     std::vector<std::size_t> first_{0};  ///< entry of each particle, and one past the last
     std::vector<Entry> entries_;         ///< what follows the last is spare

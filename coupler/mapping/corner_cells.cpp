@@ -48,12 +48,9 @@ CornerCells::Cells cells_around(const CellSubdivision::Corner& corner, const Joi
 
 CornerCells::CornerCells(const CellSubdivision& subdivision, const Joints& joints)
 {
-    std::vector<char> is_shared(joints.count(), 0);
-    for (const int joint : joints.shared())
-        is_shared[static_cast<std::size_t>(joint)] = 1;
     for (std::size_t n = 0; n < subdivision.corners(); ++n) {
         const CellSubdivision::Corner& corner = subdivision.corner(n);
-        cells_.push_back(is_shared[static_cast<std::size_t>(corner[7])] ? uneven : cells_around(corner, joints));
+        cells_.push_back(joints.place_in_shared(corner[7]) >= 0 ? uneven : cells_around(corner, joints));
     }
 }
 

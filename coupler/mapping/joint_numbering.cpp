@@ -44,9 +44,6 @@ JointNumbering::JointNumbering(const Communicator& comm, const MeshView& mesh)
     std::iota(label_.begin(), label_.end(), first_of_rank_[static_cast<std::size_t>(comm.rank())]);
     spread_across_ranks(comm, mesh);
     number_joints(mesh);
-    owner_side_ = neighbour_side_ = {};
-    parent_ = {};
-    label_ = {};
 }
 
 int JointNumbering::home(std::int64_t label) const
@@ -84,17 +81,6 @@ void JointNumbering::number_joints(const MeshView& mesh)
 
 void JointNumbering::number_copies(const MeshView& mesh)
 {
-    struct OfCell {
-        int face;
-        bool owned;
-    };
-    std::vector<std::vector<OfCell>> faces_of(mesh.size());
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-        const MeshView::Face& face = mesh.faces[f];
-        faces_of[static_cast<std::size_t>(face.owner)].push_back({static_cast<int>(f), true});
-        if (face.neighbour >= 0)
-            faces_of[static_cast<std::size_t>(face.neighbour)].push_back({static_cast<int>(f), false});
-    }
     owner_side_.resize(mesh.faces.size());
     neighbour_side_.resize(mesh.faces.size());
     std::size_t next = 0;
@@ -105,11 +91,13 @@ void JointNumbering::number_copies(const MeshView& mesh)
         next += is_new;
         return at->second;
     };
-    for (const auto& faces : faces_of) {
+    const std::vector<std::vector<int>> faces_of_cells = mesh.faces_of_cells();
+    for (std::size_t c = 0; c < mesh.size(); ++c) {
         found.clear();
-        for (const auto& [f, owned] : faces) {
-            const std::vector<int>& points = mesh.faces[static_cast<std::size_t>(f)].points;
-            Copies& copies = (owned ? owner_side_ : neighbour_side_)[static_cast<std::size_t>(f)];
+        for (const int face : faces_of_cells[c]) {
+            const auto f = static_cast<std::size_t>(face);
+            const std::vector<int>& points = mesh.faces[f].points;
+            Copies& copies = (static_cast<std::size_t>(mesh.faces[f].owner) == c ? owner_side_ : neighbour_side_)[f];
             copies.push_back(next++);
             for (const int p : points)
                 copies.push_back(copy_of(p, p));
@@ -136,9 +124,7 @@ void JointNumbering::glue(std::size_t a, std::size_t b)
 
 void JointNumbering::spread_across_ranks(const Communicator& comm, const MeshView& mesh)
 {
-    std::vector<std::vector<std::size_t>> halves(static_cast<std::size_t>(comm.size()));
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-        if (mesh.faces[f].partner >= 0) halves[static_cast<std::size_t>(mesh.faces[f].partner_rank)].push_back(f);
+    const std::vector<std::vector<std::size_t>> halves = mesh.halves_by_rank(comm.size());
     ExchangePlan plan(comm);
     std::vector<int> counts;
     for (const auto& faces : halves) {

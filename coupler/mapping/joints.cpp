@@ -9,7 +9,7 @@ namespace interphase {
 
 Joints::Joints(const Communicator& comm, const JointNumbering& numbering, const CellSubdivision& subdivision,
                std::size_t cells)
-    : comm_(comm), first_share_(numbering.count() + 1, 0), to_home_(comm)
+    : comm_(comm), first_share_(numbering.count() + 1, 0), place_in_shared_(numbering.count(), -1), to_home_(comm)
 {
     if (comm.size() > 1) plan_sums(numbering);
     find_shares(subdivision, cells);
@@ -24,6 +24,7 @@ void Joints::plan_sums(const JointNumbering& numbering)
     std::vector<int> counts(static_cast<std::size_t>(comm_.size()), 0);
     std::vector<std::int64_t> out;
     for (const int joint : shared_) {
+        place_in_shared_[static_cast<std::size_t>(joint)] = static_cast<int>(out.size());
         ++counts[static_cast<std::size_t>(numbering.home(numbering.label(joint)))];
         out.push_back(numbering.label(joint));
     }

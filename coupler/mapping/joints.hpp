@@ -24,6 +24,8 @@ public:
     std::size_t count() const { return first_share_.size() - 1; }
     /// Those that other ranks may know, too.
     const std::vector<int>& shared() const { return shared_; }
+    /// The joint's place in shared(), or -1.
+    int place_in_shared(int joint) const { return place_in_shared_[static_cast<std::size_t>(joint)]; }
 
     struct Share {
         int cell;  ///< of this rank
@@ -72,8 +74,9 @@ private:
     std::vector<std::size_t> first_share_;
     std::vector<Share> shares_;
 
-    std::vector<int> shared_;  ///< ordered by the rank of their home
-    ExchangePlan to_home_;     ///< from the ranks that share joints to one that sums them
+    std::vector<int> place_in_shared_;  ///< of each joint
+    std::vector<int> shared_;           ///< ordered by the rank of their home
+    ExchangePlan to_home_;              ///< from the ranks that share joints to one that sums them
     std::size_t homes_ = 0;
     std::vector<std::size_t> home_of_part_;
 };

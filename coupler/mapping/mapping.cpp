@@ -20,12 +20,16 @@ double variance_of(double width) { return width * width / (8 * std::log(2.0)); }
 }  // namespace
 
 Mapping::Mapping(const Communicator& comm, const MeshView& mesh, const MappingRules& rules)
+    : Mapping(comm, mesh, rules, JointNumbering(comm, mesh))
+{}
+
+Mapping::Mapping(const Communicator& comm, const MeshView& mesh, const MappingRules& rules,
+                 const JointNumbering& numbering)
     : comm_(comm),
       rules_(rules),
       cells_(comm, mesh),
-      numbering_(comm, mesh),
-      subdivision_(mesh, numbering_),
-      joints_(comm, numbering_, subdivision_, mesh.size()),
+      subdivision_(mesh, numbering),
+      joints_(comm, numbering, subdivision_, mesh.size()),
       corner_cells_(subdivision_, joints_),
       paths_(mesh, subdivision_),
       guests_(comm, mesh, paths_),
@@ -65,7 +69,7 @@ void Mapping::make_classes()
     std::vector<Asked> all;
     for (int octave = octaves_.first; octave <= octaves_.last; ++octave) {
         const double diameter = octaves_.reference * std::exp2(octave);
-        const double width = rules_.width > 0 ? rules_.width : rules_.width_in_diameters * diameter;
+        const double width = width_for(diameter);
         const double of_points = needs_points(diameter, width) ? SpherePoints::variance * diameter * diameter : 0.0;
         all.push_back({octave, diameter, width, of_points});
     }
@@ -77,7 +81,6 @@ void Mapping::make_classes()
     class_of_octave_.assign(all.size(), 0);
     for (const Asked& asked : all) {
         const auto beside_those_before = [&](double distance) {
-            if (rules_.type == MappingType::cell_centre) return 0.0;
             double more = half_variance(asked.width, asked.of_points, distance);
             if (!classes_.empty())
                 more -= half_variance(classes_.back().width, classes_.back().variance_of_points, distance);
@@ -88,6 +91,12 @@ void Mapping::make_classes()
         classes_.push_back({asked.diameter, asked.width, asked.of_points, std::move(diffusion),
                             CellWeights(joints_, subdivision_, corner_cells_, cells_.own_count())});
     }
+}
+
+double Mapping::width_for(double diameter) const
+{
+    if (rules_.type == MappingType::cell_centre) return 0;
+    return rules_.width > 0 ? rules_.width : rules_.width_in_diameters * diameter;
 }
 
 std::size_t Mapping::class_of(double volume) const
@@ -117,7 +126,6 @@ bool Mapping::needs_points(double diameter, double width) const
 {
     // Wider cells blur a packing's pattern with their own weights, in narrower ones diffusion does.
     constexpr double widest = 1.9, narrowest = 0.44;
-    if (rules_.type == MappingType::cell_centre) return false;
     if (variance_of(width) < SpherePoints::variance * diameter * diameter)
         return false;  // narrower than the points are
     return has_cells_between(narrowest * diameter, widest * diameter);
@@ -144,76 +152,12 @@ double Mapping::half_variance(double width, double of_points, double distance)
     return 0.5 * std::max(0.0, variance_of(width) - variance_of(distance) - of_points);
 }
 
-KernelVolume Mapping::kernel_volume(const Vector& position, int cell, double volume, const Vector& velocity) const
-{
-    const auto own = static_cast<std::size_t>(cell);
-    const double cell_volume = cells_.volume(own);
-    if (rules_.type == MappingType::cell_centre) return {cell_volume, cell_volume};
-
-    const SizeClass& sizes = classes_[class_of(volume)];
-    const double side = std::cbrt(cell_volume), square = side * side;
-    const double by_points = sizes.variance_of_points;
-    const double by_diffusion = 2 * half_variance(sizes.width, by_points, side);
-    // Points about the particle even out where in its cell it is; diffusion on a mesh spreads less at first than its
-    // variance says. Both numbers are fits to uniform boxes of 0.5 to 2 diameters.
-    constexpr double mean_crowding = 0.41, evening = 3.2, delay = 0.04;
-    const double spread =
-        by_points + (by_diffusion > 0 ? by_diffusion * by_diffusion / (by_diffusion + delay * square) : 0.0);
-    const auto with_crowding = [&](double crowding) {
-        const double deviation = kernel_deviation(cell_volume / crowding);
-        return interphase::kernel_volume(deviation * deviation + spread);
-    };
-    const double left = std::exp(-evening * by_points / square);
-    const auto evened = [&](double crowding) { return mean_crowding + left * (crowding - mean_crowding); };
-    const double here = evened(crowding(position, own));
-    const double speed = velocity.norm();
-    if (!(speed > 0)) return {with_crowding(here), with_crowding(here)};
-
-    // Two places half a cell apart have the mean of all on the line between cells' centres; and a sphere against its
-    // trace, half a cell before and behind it, has 0.88 of that.
-    constexpr double trace = 0.88;
-    const Vector step = 0.5 * side / speed * velocity;
-    const bool ahead = step.dot(subdivision_.centre(own) - position) > 0;
-    const Vector there = position + (ahead ? 1 : -1) * step;
-    return {with_crowding(here), with_crowding(trace * 0.5 * (here + evened(crowding(there, own))))};
-}
-
-double Mapping::crowding(const Vector& position, std::size_t cell) const
-{
-    const CellSubdivision::Place at = subdivision_.place(position, cell);
-    const CornerCells::Cells& even = corner_cells_.at(at.corner);
-    if (even.is_even()) {  // along each axis the parts 1 - a/2 and a/2
-        double product = 1;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            product *= 1 - even.open[axis] * at.smoothed[axis] * (1 - 0.5 * at.smoothed[axis]);
-        return product;
-    }
-    const CellSubdivision::Corner& corner = subdivision_.corner(at.corner);
-    const std::array<double, 8> function = at.functions();
-    std::array<double, 8> share{};  // of the cell, in each joint of the corner
-    for (std::size_t n = 0; n < 8; ++n) {
-        if (corner[n] < 0) continue;
-        for (const Joints::Share& part : joints_.shares(corner[n]))
-            if (part.cell == static_cast<int>(cell)) share[n] = part.part;
-    }
-    // Where cells are alike and meet as boxes do, two joints have in common what the joint of both their faces has: its
-    // cells, which are as many as the cell's share of it says.
-    double sum = 0;
-    for (std::size_t n = 0; n < 8; ++n)
-        for (std::size_t m = 0; m < 8; ++m)
-            sum += function[n] * function[m] * (corner[n | m] >= 0 ? share[n | m] : std::min(share[n], share[m]));
-    return sum > 0 ? sum : 1.0;
-}
-
 void Mapping::place(const Vectors& positions, const std::vector<int>& cells, const Scalars& volumes)
 {
     particles_ = positions.size();
     cover(volumes);
     for (SizeClass& sizes : classes_)
         sizes.weights.clear();
-    bool some_as_points = false;
-    for (const SizeClass& sizes : classes_)
-        some_as_points |= sizes.as_points();
     for (std::size_t i = 0; i < particles_; ++i) {
         const std::size_t size_class = class_of(volumes[i]);
         SizeClass& sizes = classes_[size_class];
@@ -224,7 +168,8 @@ void Mapping::place(const Vectors& positions, const std::vector<int>& cells, con
         else
             sizes.weights.add_spread(i, positions[i], cells[i]);
     }
-    if (!some_as_points) return;
+    const auto as_points = [](const SizeClass& sizes) { return sizes.as_points(); };
+    if (std::none_of(classes_.begin(), classes_.end(), as_points)) return;
     for (const Guests::Point& guest : guests_.arrive(particles_)) {
         CellWeights& weights = classes_[static_cast<std::size_t>(guest.size_class)].weights;
         weights.add_point(subdivision_.centre(static_cast<std::size_t>(guest.path.cell)) + guest.path.to,

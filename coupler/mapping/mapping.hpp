@@ -67,14 +67,16 @@ public:
     void keep(Archive& archive) { archive.keep("octaves", octaves_); }
 
     /// Of a tracked sphere of that volume [m3] at `position` [m] in cell `cell`, that moves along `velocity` on the
-    /// mesh; once place() has seen its like. Within 13 % on uniform boxes (tests/mapping), and where the cells about it
-    /// are alike.
+    /// mesh; once place() has seen its like. Within 13 % on uniform boxes; meant for places where the cells are alike.
     KernelVolume kernel_volume(const Vector& position, int cell, double volume, const Vector& velocity) const;
 
     long cells_relieved() const { return limit_.cells_relieved(); }
     std::size_t bytes_sent() const { return joints_.bytes_sent() + cells_.bytes_sent() + guests_.bytes_sent(); }
 
 private:
+    /// The numbering of joints is needed for the parts to be built, and not afterwards.
+    Mapping(const Communicator& comm, const MeshView& mesh, const MappingRules& rules, const JointNumbering& numbering);
+
     /// Particles whose diameters differ by less than an octave share a width. From the least diffused to the most: what
     /// a class diffuses beside those before it, and its particles.
     struct SizeClass {
@@ -106,6 +108,7 @@ private:
 
     int octave_of(double volume) const;
     std::size_t class_of(double volume) const;
+    double width_for(double diameter) const;  ///< that it asks for [m]; 0: the cell that holds the centre
     bool needs_points(double diameter, double width) const;
     bool has_cells_between(double least, double most) const;  ///< [m]. Collective.
     static double half_variance(double width, double of_points, double distance);
@@ -117,7 +120,6 @@ private:
     Communicator comm_;
     MappingRules rules_;
     CellGraph cells_;
-    JointNumbering numbering_;
     CellSubdivision subdivision_;
     Joints joints_;
     CornerCells corner_cells_;

@@ -32,6 +32,11 @@ struct MeshView {
     std::vector<Face> faces;
 
     std::size_t size() const { return volume.size(); }
+
+    /// Numbers of the faces of each cell, ascending.
+    std::vector<std::vector<int>> faces_of_cells() const;
+    /// Numbers of the faces whose other half is on each of `ranks` ranks (this one's where a cyclic pair is on it).
+    std::vector<std::vector<std::size_t>> halves_by_rank(int ranks) const;
 };
 
 }  // namespace interphase

@@ -58,14 +58,6 @@ private:
         return mine;
     }
 
-    static double largest_diameter(const std::vector<Particle>& all)
-    {
-        double largest = 0;
-        for (const Particle& p : all)
-            largest = std::max(largest, p.diameter);
-        return largest;
-    }
-
     double solid_step_;
 };
 

@@ -3,7 +3,6 @@
 
 #include "engines/openfoam/mesh_faces.hpp"
 #include "indexedOctree.H"
-#include "processorPolyPatch.H"
 #include "syncTools.H"
 #include "treeDataCell.H"
 
@@ -54,12 +53,10 @@ void MeshPart::collect_sides()
     Foam::labelList cell_beyond(mesh_.nFaces() - inner, -1);
     forAll(cell_beyond, i) cell_beyond[i] = mesh_.faceOwner()[inner + i];
     Foam::syncTools::swapBoundaryFaceList(mesh_, cell_beyond);
+    // A particle does not walk through a cyclic pair.
     const auto address_beyond = [&](Foam::label face) -> CellAddress {
-        const Foam::label patch = mesh_.boundaryMesh().whichPatch(face);
-        const auto* processor = Foam::isA<Foam::processorPolyPatch>(mesh_.boundaryMesh()[patch])
-                                    ? &Foam::refCast<const Foam::processorPolyPatch>(mesh_.boundaryMesh()[patch])
-                                    : nullptr;
-        return processor ? CellAddress{processor->neighbProcNo(), cell_beyond[face - inner]} : CellAddress{};
+        const int rank = view_.faces[static_cast<std::size_t>(face)].partner_rank;
+        return rank >= 0 && rank != me ? CellAddress{rank, cell_beyond[face - inner]} : CellAddress{};
     };
 
     first_side_.assign(1, 0);
