@@ -32,6 +32,7 @@ CouplingStep::CouplingStep(const Communicator& comm, const Settings& settings, G
       watch_(comm, gas, solids),
       losses_(comm),
       stress_model_(solids.solid_stress()),
+      periods_(solids.periods()),
       voidage_(gas.mesh().size(), 1.0),
       solid_volume_(gas.mesh().size(), 0.0),
       demand_(gas.mesh().size())
@@ -71,6 +72,20 @@ void CouplingStep::advance(double dt, int substeps)
     if (settings_.two_way) watch_.observe(forces_, voidage_, solid_volume_, dt);
 }
 
+void CouplingStep::place_in_periods(const ParticleView& particles)
+{
+    images_.clear();
+    if (!periods_.any()) return;
+    for (std::size_t i = 0; i < particles.size(); ++i)
+        images_.push_back(periods_.wrapped(particles.position.col(static_cast<Eigen::Index>(i))));
+}
+
+VectorsView CouplingStep::images_of(const ParticleView& particles) const
+{
+    if (images_.empty()) return particles.position;
+    return VectorsView(images_.front().data(), 3, static_cast<Eigen::Index>(images_.size()));
+}
+
 void CouplingStep::bring_particles_to_their_cells()
 {
     stopwatch_.switch_to(Phase::exchange);
@@ -81,7 +96,9 @@ void CouplingStep::bring_particles_to_their_cells()
     owner_cells_.resize(n);
     for (std::size_t i = 0; i < n; ++i)
         owner_cells_[i] = particles.coupling[i].owner_cell;
-    owner_cell_search_.update(particles.position, owner_cells_);
+    place_in_periods(particles);
+    owner_cell_search_.update(images_of(particles), particles.radius, owner_cells_);
+    beyond_edge_ += owner_cell_search_.beyond_edge();
     refuse_particles_outside(particles);
     for (std::size_t i = 0; i < n; ++i)
         particles.coupling[i].owner_cell = owner_cells_[i];
@@ -99,7 +116,7 @@ void CouplingStep::bring_particles_to_their_cells()
         const auto column = static_cast<Eigen::Index>(i);
         starts_[i] = starting_velocity(particles, i);
         Visitor& visitor = travellers_.visitor[t];
-        set(visitor.position, particles.position.col(column));
+        set(visitor.position, images_of(particles).col(column));
         set(visitor.velocity, starts_[i]);
         visitor.diameter = real_diameter(particles.radius[column], particles.weight[i]);
         visitor.volume = sphere_volume(particles.radius[column]);
@@ -244,8 +261,10 @@ void CouplingStep::book()
 
 std::vector<Count> CouplingStep::counts() const
 {
-    std::vector<Count> all{{"cells_relieved", "cells relieved at the packing limit", relieved_},
-                           {"particles_outside_mesh", "particles without a gas cell", outside_}};
+    std::vector<Count> all{
+        {"cells_relieved", "cells relieved at the packing limit", relieved_},
+        {"particles_outside_mesh", "particles without a gas cell", outside_},
+        {"centres_beyond_edge", "centres beyond a wall's facet, given to the nearest cell", beyond_edge_}};
     const auto add = [&all](const std::vector<Count>& more) { all.insert(all.end(), more.begin(), more.end()); };
     add(forces_.counts());
     if (settings_.two_way) add(watch_.counts());
@@ -276,6 +295,7 @@ void CouplingStep::keep(Archive& archive)
     archive.keep("gas_volume", gas_volume_);
     archive.keep("inspected", inspected_);
     archive.keep("outside", outside_);
+    archive.keep("beyond_edge", beyond_edge_);
     archive.keep("relieved", relieved_);
 }
 

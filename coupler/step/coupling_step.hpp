@@ -65,6 +65,8 @@ private:
     };
 
     void inspect_start();
+    void place_in_periods(const ParticleView& particles);
+    VectorsView images_of(const ParticleView& particles) const;
     void bring_particles_to_their_cells();
     void map_voidage();
     void map_solid_stress();
@@ -83,6 +85,7 @@ private:
     Owed owed_to(const ParticleView& particles, std::size_t i) const;
     Restraint restraint_of(const ParticleView& particles, std::size_t i) const;
     void take_home(const ParticleView& particles, std::size_t i, const Answer& answer, double added_mass, double dt);
+    void refuse_other_periods() const;
     void refuse_particles_outside(const ParticleView& particles) const;
     std::optional<Problem> trouble(const ParticleView& particles) const;
 
@@ -102,6 +105,8 @@ private:
     SolidStress* stress_model_;
     std::optional<StressExchange> stress_;  ///< of a model that wants it
 
+    PeriodicBox periods_;
+    Vectors images_;  ///< of the particles, within the periodic box; empty where there is none [m]
     std::vector<CellAddress> owner_cells_;
     std::vector<Vector> starts_;      ///< velocity with which each particle with an owner cell begins the step [m/s]
     Visitors travellers_, visitors_;  ///< as sent, as arrived
@@ -118,7 +123,7 @@ private:
     double solid_step_ = 0;
     bool long_step_ = true;     ///< so long for some particle that contacts and pressure change what it asks of the gas
     bool kicks_again_ = false;  ///< the solids begin this gas step with its own forces
-    long outside_ = 0;
+    long outside_ = 0, beyond_edge_ = 0;
     long relieved_ = 0;
 };
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What ends a coupling step: particles outside the mesh, numbers that cannot be.
+#include <cmath>
+
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "step/coupling_step.hpp"
@@ -10,8 +12,29 @@ namespace interphase {
 void CouplingStep::inspect_start()
 {
     inspected_ = true;
+    refuse_other_periods();
     comm_.fail_together(
         trouble(solids_.particles()));  // before a value that is not finite spreads through the gas to other particles
+}
+
+void CouplingStep::refuse_other_periods() const
+{
+    const Vector low = comm_.min(Vector(gas_.locator().bounds().col(0)));
+    for (const Vector& translation : gas_.translations())
+        for (int axis = 0; axis < 3; ++axis) {
+            const double length = periods_.length(axis), tie = 1e-6 * length;
+            if (!periods_.periodic[static_cast<std::size_t>(axis)] || std::abs(translation[axis]) <= tie) continue;
+            const bool moves_along_axis = std::abs(translation.norm() - std::abs(translation[axis])) <= tie;
+            if (moves_along_axis && std::abs(std::abs(translation[axis]) - length) <= tie &&
+                std::abs(low[axis] - periods_.box(axis, 0)) <= tie)
+                continue;
+            const std::string name(1, "xyz"[axis]);
+            throw UserError("particles repeat along " + name + " from " + text(periods_.box(axis, 0)) + " to " +
+                                text(periods_.box(axis, 1)) + " m; the gas mesh begins at " + text(low[axis]) +
+                                " m, and a cyclic pair of it moves by " + text(translation),
+                            "the region of create_box in the script, and constant/polyMesh",
+                            "give both the same periods");
+        }
 }
 
 void CouplingStep::refuse_particles_outside(const ParticleView& particles) const

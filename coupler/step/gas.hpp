@@ -61,6 +61,8 @@ public:
 
     virtual const MeshView& mesh() const = 0;
     virtual const CellLocator& locator() const = 0;
+    /// By how far cyclic pairs move what passes them, each way once [m]; the same on all ranks.
+    virtual Vectors translations() const { return {}; }
     virtual GasProperty density() const = 0;    ///< [kg/m3]
     virtual GasProperty viscosity() const = 0;  ///< dynamic [Pa s]
 

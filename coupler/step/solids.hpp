@@ -6,6 +6,7 @@
 #include "momentum/particle_coupling.hpp"
 #include "plugin/solid_stress.hpp"
 #include "step/particle_weights.hpp"
+#include "step/periodic_box.hpp"
 
 namespace interphase {
 
@@ -34,6 +35,7 @@ public:
     virtual ~Solids() = default;
     virtual ParticleView particles() = 0;
     virtual Vector gravity() const = 0;  ///< [m/s2]
+    virtual PeriodicBox periods() const { return {}; }
 
     /// How a substep goes: half a kick by the forces that `particles` shows, then the drift (velocity Verlet,
     /// LIGGGHTS's own integrators), or the drift first.

@@ -48,6 +48,11 @@ public:
     }
 
     VectorsView view() const { return {points.data(), 3, points.cols()}; }
+    ScalarsView reaches() const
+    {
+        reaches_.setConstant(points.cols(), reach);
+        return {reaches_.data(), reaches_.size()};
+    }
     std::size_t size() const { return owner_cells.size(); }
     Vector point(std::size_t i) const { return points.col(static_cast<Eigen::Index>(i)); }
 
@@ -61,11 +66,13 @@ public:
 
     Eigen::Matrix3Xd points;
     std::vector<CellAddress> owner_cells;
+    double reach = 1e-9;  ///< of each
 
 private:
     double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
 
     std::mt19937 random_;
+    mutable Eigen::VectorXd reaches_;
 };
 
 void expect_at_home(const Cloud& cloud, const BoxMesh& mesh)
@@ -83,7 +90,7 @@ TEST(OwnerCellSearch, FindsHomesNotKnownBefore)
     OwnerCellSearch search(world(), mesh);
     Cloud cloud(1);
     cloud.scatter(200, mesh.whole());
-    search.update(cloud.view(), cloud.owner_cells);
+    search.update(cloud.view(), cloud.reaches(), cloud.owner_cells);
     expect_at_home(cloud, mesh);
 }
 
@@ -95,7 +102,7 @@ TEST(OwnerCellSearch, FollowsSmallMovesFromCellToCellAndRankToRank)
     cloud.scatter(200, mesh.whole());
     for (int step = 0; step < 50; ++step) {
         cloud.move(0.7, mesh.whole());
-        search.update(cloud.view(), cloud.owner_cells);
+        search.update(cloud.view(), cloud.reaches(), cloud.owner_cells);
         expect_at_home(cloud, mesh);
     }
 }
@@ -109,7 +116,7 @@ TEST(OwnerCellSearch, FollowsJumpsFartherThanAWalkReaches)
         const std::vector<CellAddress> last = cloud.owner_cells;
         cloud.scatter(100, mesh.whole());
         if (step > 0) cloud.owner_cells = last;
-        search.update(cloud.view(), cloud.owner_cells);
+        search.update(cloud.view(), cloud.reaches(), cloud.owner_cells);
         expect_at_home(cloud, mesh);
     }
 }
@@ -120,12 +127,38 @@ TEST(OwnerCellSearch, KnownAndUnknownHomesMayMix)
     OwnerCellSearch search(world(), mesh);
     Cloud cloud(4);
     cloud.scatter(100, mesh.whole());
-    search.update(cloud.view(), cloud.owner_cells);
+    search.update(cloud.view(), cloud.reaches(), cloud.owner_cells);
     cloud.move(1.5, mesh.whole());
     for (std::size_t i = 0; i < cloud.size(); i += 3)
         cloud.owner_cells[i] = CellAddress{};  // inserted ones
-    search.update(cloud.view(), cloud.owner_cells);
+    search.update(cloud.view(), cloud.reaches(), cloud.owner_cells);
     expect_at_home(cloud, mesh);
+}
+
+TEST(OwnerCellSearch, OutsideByLessThanItsReachAParticleBelongsToTheNearestCellAndIsCounted)
+{
+    const BoxMesh mesh = tall_box();
+    OwnerCellSearch search(world(), mesh);
+    Cloud cloud(6);
+    cloud.scatter(60, mesh.whole());
+    Cloud nearest = cloud;
+    for (Eigen::Index i = 0; i < cloud.points.cols(); ++i) {  // on each of the six sides, and 0.08 beyond it
+        const int axis = static_cast<int>(i % 3), side = static_cast<int>(i / 3 % 2);
+        nearest.points(axis, i) = mesh.whole()(axis, side);
+        cloud.points(axis, i) = mesh.whole()(axis, side) + (side == 0 ? -0.08 : 0.08);
+    }
+    cloud.reach = 0.1;
+    for (int again = 0; again < 2; ++again) {  // from nowhere, and from the last owner
+        search.update(cloud.view(), cloud.reaches(), cloud.owner_cells);
+        nearest.owner_cells = cloud.owner_cells;
+        expect_at_home(nearest, mesh);
+        EXPECT_EQ(search.beyond_edge(), 60);
+    }
+    cloud.reach = 0.07;
+    search.update(cloud.view(), cloud.reaches(), cloud.owner_cells);
+    for (const CellAddress& owner : cloud.owner_cells)
+        EXPECT_FALSE(owner.known());
+    EXPECT_EQ(search.beyond_edge(), 0);
 }
 
 TEST(OwnerCellSearch, OutsideThereIsNoHomeAndTheWayBackIsFound)
@@ -134,7 +167,7 @@ TEST(OwnerCellSearch, OutsideThereIsNoHomeAndTheWayBackIsFound)
     OwnerCellSearch search(world(), mesh);
     Cloud cloud(5);
     cloud.scatter(60, mesh.whole());
-    search.update(cloud.view(), cloud.owner_cells);
+    search.update(cloud.view(), cloud.reaches(), cloud.owner_cells);
 
     const Eigen::Matrix3Xd inside = cloud.points;
     for (Eigen::Index i = 0; i < inside.cols(); ++i) {  // out through each of the six sides, near and far
@@ -142,12 +175,12 @@ TEST(OwnerCellSearch, OutsideThereIsNoHomeAndTheWayBackIsFound)
         const double beyond = i % 2 ? 1e-6 : 100.0;
         cloud.points(axis, i) = i % 4 < 2 ? mesh.whole()(axis, 0) - beyond : mesh.whole()(axis, 1) + beyond;
     }
-    search.update(cloud.view(), cloud.owner_cells);
+    search.update(cloud.view(), cloud.reaches(), cloud.owner_cells);
     for (const CellAddress& owner : cloud.owner_cells)
         EXPECT_FALSE(owner.known());
 
     cloud.points = inside;
-    search.update(cloud.view(), cloud.owner_cells);
+    search.update(cloud.view(), cloud.reaches(), cloud.owner_cells);
     expect_at_home(cloud, mesh);
 }
 
@@ -160,7 +193,7 @@ TEST(OwnerCellSearch, PointsOnFacesBelongToACellThatTouchesThem)
     for (int k = 0; k <= 60; ++k)
         cloud.points.col(k) = Vector(1.0, 0.1, k);  // between cells, ranks, and on the rim
     for (int repeat = 0; repeat < 2; ++repeat) {    // searched for, and from the last owner cell
-        search.update(cloud.view(), cloud.owner_cells);
+        search.update(cloud.view(), cloud.reaches(), cloud.owner_cells);
         for (std::size_t i = 0; i < cloud.size(); ++i)
             EXPECT_TRUE(mesh.holds(cloud.owner_cells[i], cloud.point(i))) << i;
     }
@@ -173,7 +206,7 @@ TEST(OwnerCellSearch, NotANumberIsInNoCell)
     Cloud cloud(7);
     cloud.scatter(1, mesh.whole());
     cloud.points(1, 0) = std::nan("");
-    search.update(cloud.view(), cloud.owner_cells);
+    search.update(cloud.view(), cloud.reaches(), cloud.owner_cells);
     EXPECT_FALSE(cloud.owner_cells[0].known());
 }
 
@@ -183,7 +216,7 @@ TEST(OwnerCellSearch, ARankWithoutParticlesTakesPart)
     OwnerCellSearch search(world(), mesh);
     Cloud cloud(8);
     cloud.scatter(world().is_master() ? 30 : 0, mesh.whole());
-    search.update(cloud.view(), cloud.owner_cells);
+    search.update(cloud.view(), cloud.reaches(), cloud.owner_cells);
     expect_at_home(cloud, mesh);
 }
 
@@ -217,7 +250,7 @@ TEST(OwnerExchange, RoundTripReturnsEveryParticlesOwnData)
         if (step == 1)  // some are outside
             for (Eigen::Index i = 0; i < cloud.points.cols(); i += 7)
                 cloud.points(0, i) = -1;
-        search.update(cloud.view(), cloud.owner_cells);
+        search.update(cloud.view(), cloud.reaches(), cloud.owner_cells);
         visits.plan(cloud.owner_cells);
 
         // the hosts see the positions, and that each is in the cell it asks for; a second kind of record, of another
@@ -264,7 +297,7 @@ TEST(OwnerExchange, RoundTripReturnsEveryParticlesOwnData)
 std::size_t bytes_of_a_step(OwnerCellSearch& search, Cloud& cloud)
 {
     const std::size_t before = search.bytes_sent();
-    search.update(cloud.view(), cloud.owner_cells);
+    search.update(cloud.view(), cloud.reaches(), cloud.owner_cells);
     OwnerExchange visits(world());
     visits.plan(cloud.owner_cells);
     std::vector<Named<8>> records = records_of<8>(visits), visitors;

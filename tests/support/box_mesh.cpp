@@ -100,6 +100,15 @@ CellAddress BoxMesh::search(const Vector& point) const
     return {};
 }
 
+NearCell BoxMesh::nearest(const Vector& point, double reach) const
+{
+    const Box box = whole();
+    const Vector edge = point.cwiseMax(box.col(0)).cwiseMin(box.col(1));
+    const double distance = (edge - point).norm();
+    const CellAddress address = address_of(edge);
+    return address.rank == rank_ && distance <= reach ? NearCell{address.cell, distance} : NearCell{};
+}
+
 CellAddress BoxMesh::address_of(const Vector& point) const
 {
     Index index{};

@@ -23,6 +23,7 @@ public:
     const MeshView& view() const { return view_; }
     CellAddress walk(const Vector& point, int start) const override;
     CellAddress search(const Vector& point) const override;
+    NearCell nearest(const Vector& point, double reach) const override;
     Box bounds() const override { return bounds_; }
 
     /// The cell that holds a point, on whichever rank; unknown outside the box.

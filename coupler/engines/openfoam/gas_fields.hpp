@@ -18,6 +18,7 @@ public:
 
     const MeshView& mesh() const override { return part_.view(); }
     const CellLocator& locator() const override { return part_; }
+    Vectors translations() const override { return part_.translations(); }
     GasProperty density() const override { return rho_.value(); }
     GasProperty viscosity() const override { return mu_.value(); }
     void set_voidage(const Scalars& voidage) override;

@@ -2,10 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "exchange/cell_locator.hpp"
 #include "fvMesh.H"
+#include "indexedOctree.H"
+#include "mapping/cell_surfaces.hpp"
 #include "mapping/mesh_view.hpp"
+#include "treeDataFace.H"
 
 namespace interphase {
 
@@ -16,29 +20,28 @@ public:
     explicit MeshPart(const Foam::fvMesh& mesh);
 
     const MeshView& view() const { return view_; }
+    /// By how far cyclic pairs move what passes them, each way once [m]; the same on all ranks.
+    const Vectors& translations() const { return translations_; }
 
     CellAddress walk(const Vector& point, int start) const override;
     CellAddress search(const Vector& point) const override;
+    NearCell nearest(const Vector& point, double reach) const override;
     Box bounds() const override { return bounds_; }
 
 private:
-    /// A face as seen from one of its cells.
-    struct Side {
-        Vector outward;      ///< unit normal of its plane
-        double offset;       ///< outward . x on the plane
-        CellAddress beyond;  ///< unknown at a boundary of the mesh
-
-        double distance(const Vector& point) const { return outward.dot(point) - offset; }
-    };
-
     void measure_cells();
-    void collect_sides();
+    void find_ways_on();
+    void find_translations();
+    void plant_tree_of_edge();
+    int cell_that_holds(const Vector& point) const;
 
     const Foam::fvMesh& mesh_;
     MeshView view_;
     Box bounds_ = empty_box();
-    std::vector<std::size_t> first_side_;
-    std::vector<Side> sides_;
+    std::optional<CellSurfaces> surfaces_;
+    Vectors translations_;
+    std::vector<CellAddress> beyond_;  ///< the neighbour of an inner face, what lies across a cut; else unknown
+    std::unique_ptr<Foam::indexedOctree<Foam::treeDataFace>> edge_;  ///< faces behind which there is no mesh
 };
 
 }  // namespace interphase

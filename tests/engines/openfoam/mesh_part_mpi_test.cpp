@@ -151,17 +151,33 @@ TEST_P(Meshes, APointOutsideIsInNoCell)
     }
 }
 
+TEST_P(Meshes, APointJustBeyondAWallHasTheCellBehindIt)
+{
+    // of every face at a wall, 0.01 beyond its centre: less than to any other face's centre
+    constexpr double beyond = 0.01;
+    for (const MeshView::Face& face : gas_->mesh().faces) {
+        if (face.neighbour >= 0 || face.partner >= 0) continue;
+        const Vector point = face.centre + beyond * face.area.normalized();
+        const NearCell found = locator().nearest(point, 0.02);
+        EXPECT_EQ(found.cell, face.owner);
+        EXPECT_NEAR(found.distance, beyond, round_off);
+        EXPECT_EQ(locator().nearest(point, 0.009).cell, -1);
+    }
+}
+
 TEST_P(Meshes, ParticlesThatMoveAreFollowedFromRankToRank)
 {
     // every rank has points everywhere, which jump by a cell or so, some out of the mesh
     std::vector<Vector> points = random_points(400);
     OwnerCellSearch search(world(), locator());
     std::vector<CellAddress> found(points.size());
+    const Scalars reach(points.size(), round_off);
     std::mt19937 random(static_cast<unsigned>(100 + world().rank()));
     std::uniform_real_distribution<double> jump(-0.15, 0.15);
     long outside = 0, elsewhere = 0;
     for (int move = 0; move < 5; ++move) {
-        search.update(VectorsView(points[0].data(), 3, static_cast<Eigen::Index>(points.size())), found);
+        const auto count = static_cast<Eigen::Index>(points.size());
+        search.update(VectorsView(points[0].data(), 3, count), ScalarsView(reach.data(), count), found);
         for (std::size_t i = 0; i < points.size(); ++i) {
             double nearest = 1e300;
             for (std::size_t c = 0; c < mesh_.cells.size(); ++c)

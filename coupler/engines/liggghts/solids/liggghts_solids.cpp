@@ -77,6 +77,9 @@ void LiggghtsSolids::refuse_unusable_scene() const
     if (!lmp_->atom->sphere_flag)
         throw UserError("the particles are not spheres with their own radius and mass", script,
                         "use `atom_style granular` (or sphere)");
+    if (settings_.gas != GasModel::none && lmp_->domain->triclinic)
+        throw UserError("the box is triclinic, and particles are followed through straight periodic sides only", script,
+                        "use a box of region style block");
     if (std::string(lmp_->update->unit_style) != "si")
         throw UserError(std::string("the script computes in units `") + lmp_->update->unit_style + "`", script,
                         "add `units si`: the gas is in SI units");
@@ -242,6 +245,17 @@ ParticleView LiggghtsSolids::particles()
             fluid_ ? fluid_->forces() : nullptr,
             fluid_ ? fluid_->booked() : nullptr,
             fluid_ ? fluid_->coupling() : nullptr};
+}
+
+PeriodicBox LiggghtsSolids::periods() const
+{
+    const LAMMPS_NS::Domain& domain = *lmp_->domain;
+    PeriodicBox periods;
+    for (int axis = 0; axis < 3; ++axis) {
+        periods.box.row(axis) << domain.boxlo[axis], domain.boxhi[axis];
+        periods.periodic[static_cast<std::size_t>(axis)] = domain.periodicity[axis] != 0;
+    }
+    return periods;
 }
 
 void LiggghtsSolids::kick_again(std::size_t i, const Vector& velocity, const Vector& force)

@@ -33,6 +33,7 @@ public:
 
     ParticleView particles() override;
     Vector gravity() const override { return gravity_; }
+    PeriodicBox periods() const override;
     bool may_remove_particles() const override { return may_remove_; }
     bool kicks_before_moving() const override { return !moves_come_first_; }
     bool takes_new_forces() const override { return takes_new_forces_; }
