@@ -114,7 +114,7 @@ std::string Mapping::description(const Scalars& volumes)
         const SizeClass& sizes = classes_[n];
         if (n > 0) words += "; ";
         if (rules_.width == 0) words += "spheres up to " + text(sizes.diameter) + " m: ";
-        words += text(sizes.width) + " m wide, or as a cell where that is wider";
+        words += text(sizes.width) + " m wide in cells below " + text(wide_enough(sizes.width)) + " m";
         if (sizes.as_points()) words += ", as " + std::to_string(SpherePoints::all().size()) + " points";
         if (sizes.diffusion.sweeps() > 0)
             words += ", diffused in " + std::to_string(sizes.diffusion.sweeps()) + " sweeps";
@@ -147,8 +147,13 @@ bool Mapping::has_cells_of(double least, double most) const
     });
 }
 
-double Mapping::half_variance(double width, double of_points, double distance)
+double Mapping::wide_enough(double width) const { return (rules_.width > 0 ? 1 : MappingRules::wide_enough) * width; }
+
+double Mapping::half_variance(double width, double of_points, double distance) const
 {
+    // cells are often made as wide as that, and then round-off shall not part them
+    constexpr double tie = 1e-6;
+    if (distance >= (1 - tie) * wide_enough(width)) return 0;
     return 0.5 * std::max(0.0, variance_of(width) - variance_of(distance) - of_points);
 }
 

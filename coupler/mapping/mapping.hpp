@@ -111,7 +111,9 @@ private:
     double width_for(double diameter) const;  ///< that it asks for [m]; 0: the cell that holds the centre
     bool needs_points(double diameter, double width) const;
     bool has_cells_between(double least, double most) const;  ///< [m]. Collective.
-    static double half_variance(double width, double of_points, double distance);
+    double wide_enough(
+        double width) const;  ///< cells as far apart as that need no kernel of that width beside their own
+    double half_variance(double width, double of_points, double distance) const;
     double crowding(const Vector& position, std::size_t cell) const;
     void cover(const Scalars& volumes);
     void make_classes();

@@ -9,8 +9,11 @@ enum class MappingType { kernel, cell_centre };
 /// How particles are mapped to cells.
 struct MappingRules {
     MappingType type = MappingType::kernel;
-    double width_in_diameters = 2;  ///< least width at half height of a kernel [diameter of the tracked sphere]
-    double width = 0;               ///< above 0: that width for all, whatever their size [m]
+    /// Width at half height of a kernel [diameter of the tracked sphere], where cells are narrower than `wide_enough`
+    /// of it.
+    double width_in_diameters = 2.5;
+    static constexpr double wide_enough = 0.8;
+    double width = 0;               ///< above 0: that least width for all, whatever their size [m]
     double maximum_packing = 0.74;  ///< solid fraction above which a cell hands its excess to its neighbours
 };
 

@@ -128,10 +128,12 @@ void read_mapping(Reader& dict, Settings& settings)
     MappingRules& rules = settings.mapping;
     dict.choice({"type", "what a particle belongs to: cells in a kernel's reach, or the one that holds its centre"},
                 rules.type, {{"kernel", MappingType::kernel}, {"cellCentre", MappingType::cell_centre}});
-    dict.number({"widthInDiameters", "the kernel's least width at half height, in diameters of the tracked sphere"},
+    dict.number({"widthInDiameters",
+                 "the kernel's width at half height where cells are narrower than 0.8 of it, in diameters of the "
+                 "tracked sphere"},
                 rules.width_in_diameters, above(0));
-    dict.number({"width", "that width for all spheres, whatever their size", "m", "by widthInDiameters"}, rules.width,
-                above(0));
+    dict.number({"width", "that least width for all spheres, whatever their size", "m", "by widthInDiameters"},
+                rules.width, above(0));
     for (const char* key : {"width", "widthInDiameters"})
         if (dict.has(key) && rules.type == MappingType::cell_centre)
             throw dict.complaint(key, "a kernel width with `type cellCentre;`", "remove it, or set `type kernel;`");

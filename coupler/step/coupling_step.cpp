@@ -48,8 +48,8 @@ std::string CouplingStep::mapping_description()
         volumes.push_back(sphere_volume(particles.radius[static_cast<Eigen::Index>(i)]));
     std::string words = mapping_.description(volumes);
     // where in such a cell a sphere is decides how far it sees itself (forces/self_disturbance/README.md)
-    if (settings_.two_way && settings_.self_disturbance && mapping_.has_cells_of(1.5, 3))
-        words += "; drag of a lone sphere within 5 % (3 % in cells below 1.5 or above 3 diameters)";
+    if (settings_.two_way && settings_.self_disturbance && mapping_.has_cells_of(0, 3))
+        words += "; drag of a lone sphere within 5 % (3 % in cells above 3 diameters)";
     return words;
 }
 

@@ -76,7 +76,7 @@ TEST_F(ReadSettings, NeedsAScriptAndHasDefaultsForTheRest)
     EXPECT_TRUE(s.two_way);
     EXPECT_EQ(s.drag_law, drag_laws().front().name);
     EXPECT_EQ(s.mapping.type, MappingType::kernel);
-    EXPECT_EQ(s.mapping.width_in_diameters, 2);
+    EXPECT_EQ(s.mapping.width_in_diameters, 2.5);
     EXPECT_EQ(s.mapping.width, 0);
     EXPECT_EQ(s.mapping.maximum_packing, 0.74);
     EXPECT_EQ(s.outside_mesh, OutsideMesh::stop);
