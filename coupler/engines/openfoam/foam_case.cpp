@@ -15,9 +15,14 @@
 #include "Time.H"
 #include "argList.H"
 #include "base/user_error.hpp"
+#include "engines/openfoam/decomposition.hpp"
 #include "engines/openfoam/foam_dictionary.hpp"
+#include "engines/openfoam/foam_errors.hpp"
 #include "engines/openfoam/frozen_gas.hpp"
+#include "engines/openfoam/function_objects.hpp"
+#include "engines/openfoam/patch_conditions.hpp"
 #include "engines/openfoam/pimple_gas.hpp"
+#include "engines/openfoam/unsolved_files.hpp"
 #include "error.H"
 #include "foamVersion.H"
 
@@ -58,48 +63,6 @@ void refuse_folder_without_case(const std::filesystem::path& folder)
                             "name a case folder; cases/ holds examples, tools/run prepares one");
 }
 
-void refuse_wrong_decomposition(const std::filesystem::path& folder)
-{
-    int ranks = 1;
-    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-    if (ranks == 1) return;
-    int parts = 0;
-    while (std::filesystem::is_directory(folder / ("processor" + std::to_string(parts))))
-        ++parts;
-    const std::string decompose = "run `decomposePar -force` with numberOfSubdomains " + std::to_string(ranks) +
-                                  " in system/decomposeParDict (tools/run --ranks does both)";
-    if (parts == 0)
-        throw UserError(
-            "the run has " + std::to_string(ranks) + " ranks, and the case is not decomposed: there is no processor0",
-            folder.string(), decompose + ", or start 1 rank");
-    if (parts != ranks)
-        throw UserError("the case is decomposed into " + std::to_string(parts) + " parts, and the run has " +
-                            std::to_string(ranks) + " ranks",
-                        folder.string(), decompose + ", or start " + std::to_string(parts) + " ranks");
-    if (!std::filesystem::is_regular_file(folder / "system/decomposeParDict"))
-        throw UserError("system/decomposeParDict is missing, which OpenFOAM wants in a run on several ranks",
-                        folder.string(), "add it, with numberOfSubdomains " + std::to_string(ranks) + " and a method");
-}
-
-/// What a user may set in an OpenFOAM case and this gas does not have, so that it is not passed over in silence.
-void refuse_what_is_not_solved(const Foam::Time& time)
-{
-    for (const Foam::word& folder : {time.constant(), time.system()})
-        if (Foam::isFile(time.globalPath() / folder / "fvOptions"))
-            throw UserError("the case has fvOptions, which the gas solver does not apply",
-                            std::string(folder) + "/fvOptions", "remove the file");
-    const Foam::fileName turbulence = time.globalPath() / time.constant() / "turbulenceProperties";
-    if (!Foam::isFile(turbulence)) return;
-    Foam::IFstream stream(turbulence);
-    const Foam::dictionary dict(stream);
-    const auto type = dict.getOrDefault<Foam::word>("simulationType", "laminar");
-    if (type != "laminar")
-        throw UserError("`simulationType " + type + ";` asks for a turbulence model, and the gas solver is laminar",
-                        "constant/turbulenceProperties, line " +
-                            std::to_string(dict.findEntry("simulationType")->startLineNumber()),
-                        "set it to laminar, or remove the file");
-}
-
 /// A file of the case, from its folder on, that holds a dictionary; an empty one where there is no such file.
 class DictionaryFile {
 public:
@@ -120,21 +83,6 @@ private:
     const Foam::dictionary dict_;
     const FoamDictionary adapted_;
 };
-
-/// Runs `body`; what OpenFOAM throws in it becomes a UserError with OpenFOAM's own words.
-void with_foam_errors(const std::function<void()>& body)
-{
-    try {
-        body();
-    } catch (const Foam::IOerror& error) {
-        throw UserError(error.message(),
-                        std::string(error.ioFileName()) + ", line " + std::to_string(error.ioStartLineNumber()),
-                        "see the message; OpenFOAM's own output is in log.openfoam");
-    } catch (const Foam::error& error) {
-        throw UserError(error.message(), "OpenFOAM, " + std::string(error.functionName()),
-                        "see the message; OpenFOAM's own output is in log.openfoam");
-    }
-}
 
 }  // namespace
 
@@ -197,13 +145,14 @@ std::unique_ptr<CaseGas> FoamCase::make_gas(const Settings& settings)
 {
     std::unique_ptr<CaseGas> gas;
     with_foam_errors([&] {
-        refuse_what_is_not_solved(*parts_->time);
+        refuse_what_is_not_solved(parts_->time->globalPath());
         parts_->mesh = std::make_unique<Foam::fvMesh>(Foam::IOobject(
             Foam::fvMesh::defaultRegion, parts_->time->timeName(), *parts_->time, Foam::IOobject::MUST_READ));
         if (settings.gas == GasModel::pimple)
             gas = std::make_unique<PimpleGas>(*parts_->mesh);
         else
             gas = std::make_unique<FrozenGas>(*parts_->mesh);
+        refuse_unfit_conditions(*parts_->mesh);
     });
     return gas;
 }
@@ -233,7 +182,8 @@ double FoamCase::largest_gas_step() const
 bool FoamCase::running()
 {
     bool more = false;
-    with_foam_errors([&] { more = parts_->time->run(); });
+    with_foam_errors([&] { more = run_with_function_objects(*parts_->time); },
+                     [&](const std::string& message) { return failing_function(*parts_->time, message); });
     return more;
 }
 
@@ -251,6 +201,11 @@ void FoamCase::write()
     parts_->output->flush();
 }
 
-void FoamCase::with_own_errors(const std::function<void()>& body) const { with_foam_errors(body); }
+void FoamCase::with_own_errors(const std::function<void()>& body) const
+{
+    with_foam_errors(body, [this](const std::string& message) {
+        return parts_->mesh ? failing_condition(*parts_->mesh, message) : std::string();
+    });
+}
 
 }  // namespace interphase

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engines/openfoam/gas_fields.hpp"
+#include "surfaceInterpolate.H"
 
 namespace interphase {
 
@@ -9,7 +10,7 @@ namespace interphase {
 class FrozenGas : public GasFields {
 public:
     using GasFields::GasFields;
-    void solve(double, const Demand&) override {}
+    void solve(double, const Demand&) override { superficial_phi_ = Foam::fvc::interpolate(voidage_) * phi_; }
     Scalars outflow() const override { return Scalars(part_.view().size(), 0.0); }
     Crossing crossing() const override { return {}; }
     double courant_number() const override { return 0; }

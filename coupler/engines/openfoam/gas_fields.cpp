@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "IOdictionary.H"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "fixedValueFvPatchFields.H"
+#include "fvcFlux.H"
 #include "fvcGrad.H"
 #include "fvcSnGrad.H"
 #include "fvcSurfaceIntegrate.H"
@@ -47,12 +47,6 @@ IOobject in_time(const fvMesh& mesh, const char* name, IOobject::readOption read
     return IOobject(name, mesh.time().timeName(), mesh, read, IOobject::AUTO_WRITE);
 }
 
-dictionary transport_properties(const fvMesh& mesh)
-{
-    return IOdictionary(
-        IOobject("transportProperties", mesh.time().constant(), mesh, IOobject::MUST_READ, IOobject::NO_WRITE, false));
-}
-
 }  // namespace
 
 wordList patch_types(const fvMesh& mesh, const word& type)
@@ -66,28 +60,21 @@ wordList patch_types(const fvMesh& mesh, const word& type)
     return types;
 }
 
-double positive_property(const dictionary& dictionary, const char* name)
-{
-    const double value = dictionary.get<dimensionedScalar>(name).value();
-    if (!(value > 0))
-        throw UserError(
-            std::string(name) + " = " + text(value) + " is not positive",
-            std::string(dictionary.name()) + ", line " + std::to_string(dictionary.findEntry(name)->startLineNumber()),
-            "give the gas's density rho in kg/m3 and dynamic viscosity mu in Pa s");
-    return value;
-}
-
 GasFields::GasFields(fvMesh& mesh)
     : mesh_(mesh),
       part_(mesh),
-      g_(IOobject("g", mesh.time().constant(), mesh, IOobject::MUST_READ, IOobject::NO_WRITE)),
-      rho_("rho", dimDensity, positive_property(transport_properties(mesh), "rho")),
-      mu_("mu", dimPressure * dimTime, positive_property(transport_properties(mesh), "mu")),
+      properties_(mesh),
+      g_(properties_.gravity()),
+      rho_(properties_.density()),
+      mu_(properties_.viscosity()),
       U_(in_time(mesh, "U", IOobject::MUST_READ), mesh),
       p_rgh_(in_time(mesh, "p_rgh", IOobject::MUST_READ), mesh),
       voidage_(in_time(mesh, "voidage", IOobject::NO_READ), mesh, dimensionedScalar("one", dimless, 1),
                voidage_patch_types(U_)),
-      p_(in_time(mesh, "p", IOobject::NO_READ), p_rgh_ + rho_ * (g_ & mesh.C()))
+      p_(in_time(mesh, "p", IOobject::NO_READ), p_rgh_ + rho_ * properties_.height_potential()),
+      phi_(in_time(mesh, "phi", IOobject::READ_IF_PRESENT), fvc::flux(U_)),
+      superficial_phi_("voidagePhi", fvc::interpolate(voidage_) * phi_),
+      stress_(properties_.transport(), voidage_, U_, superficial_phi_, phi_)
 {
     if (p_rgh_.dimensions() != dimPressure)
         throw UserError("p_rgh has other dimensions than a pressure", std::string(p_rgh_.objectPath()),
@@ -199,6 +186,6 @@ Box GasFields::bounds() const
 
 Vector GasFields::gravity() const { return {g_.value().x(), g_.value().y(), g_.value().z()}; }
 
-void GasFields::update_pressure() { p_ == p_rgh_ + rho_*(g_ & mesh_.C()); }
+void GasFields::update_pressure() { p_ == p_rgh_ + rho_* properties_.height_potential(); }
 
 }  // namespace interphase

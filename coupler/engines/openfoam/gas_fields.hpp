@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "engines/openfoam/gas_properties.hpp"
+#include "engines/openfoam/gas_stress.hpp"
 #include "engines/openfoam/mesh_part.hpp"
 #include "fvMesh.H"
 #include "run/case_gas.hpp"
+#include "surfaceFields.H"
 #include "uniformDimensionedFields.H"
 #include "volFields.H"
 
 namespace interphase {
 
-/// Mesh and fields that every gas model has: U [m/s], p_rgh and p [Pa], voidage, and the gas's properties from
-/// constant/transportProperties (rho, mu) and constant/g.
+/// Mesh and fields that every gas model has: U [m/s], p_rgh and p [Pa], voidage, the fluxes phi of U and voidagePhi of
+/// eps U (the superficial one) [m3/s], and the gas's properties and stress. All of them are in OpenFOAM's registry, by
+/// these names, for boundary conditions and function objects.
 class GasFields : public CaseGas {
 public:
     /// `mesh` outlives this.
@@ -40,20 +44,21 @@ protected:
 
     Foam::fvMesh& mesh_;
     MeshPart part_;
-    Foam::uniformDimensionedVectorField g_;
-    Foam::dimensionedScalar rho_;
-    Foam::dimensionedScalar mu_;
+    const GasProperties properties_;
+    const Foam::uniformDimensionedVectorField& g_;
+    const Foam::dimensionedScalar rho_;
+    const Foam::dimensionedScalar mu_;
     Foam::volVectorField U_;
     Foam::volScalarField p_rgh_;
     Foam::volScalarField voidage_;
     Foam::volScalarField p_;
+    Foam::surfaceScalarField phi_;
+    Foam::surfaceScalarField superficial_phi_;
+    const GasStress stress_;
 };
 
 /// `type` on every patch of the mesh but where the patch itself constrains it (empty, cyclic, symmetry, processor,
 /// ...).
 Foam::wordList patch_types(const Foam::fvMesh& mesh, const Foam::word& type);
-
-/// A UserError for a property that is not positive; `dictionary` names the file.
-double positive_property(const Foam::dictionary& dictionary, const char* name);
 
 }  // namespace interphase

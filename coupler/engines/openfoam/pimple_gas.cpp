@@ -2,6 +2,7 @@
 #include "engines/openfoam/pimple_gas.hpp"
 
 #include "adjustPhi.H"
+#include "base/user_error.hpp"
 #include "constrainHbyA.H"
 #include "constrainPressure.H"
 #include "findRefCell.H"
@@ -53,8 +54,6 @@ struct PimpleGas::Response {
 
 PimpleGas::PimpleGas(fvMesh& mesh)
     : GasFields(mesh),
-      phi_(IOobject("phi", mesh.time().timeName(), mesh, IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE),
-           fvc::flux(U_)),
       face_voidage_("voidagef", fvc::interpolate(voidage_)),
       gas_share_(IOobject("gasShare", mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false), mesh,
                  dimensionedScalar("one", dimless, 1)),
@@ -74,8 +73,40 @@ PimpleGas::PimpleGas(fvMesh& mesh)
       surplus_(cell_field<scalar>(mesh, "surplus", dimless / dimTime)),
       control_(mesh)
 {
+    refuse_control_of_others();
     mesh.setFluxRequired(p_rgh_.name());
-    setRefCell(p_rgh_, control_.dict(), reference_cell_, reference_pressure_);
+    if (p_rgh_.needReference()) set_reference_pressure();
+}
+
+void PimpleGas::refuse_control_of_others() const
+{
+    const dictionary& solution = mesh_.solutionDict();
+    for (const char* other : {"PISO", "SIMPLE"})
+        if (solution.found(other) && !solution.found("PIMPLE"))
+            throw UserError(std::string("the solver's control stands in ") + other +
+                                ", and this gas is solved by PIMPLE, which would take its defaults",
+                            "system/fvSolution, line " + std::to_string(solution.findEntry(other)->startLineNumber()),
+                            std::string("rename the block to PIMPLE (nOuterCorrectors 1 is PISO)"));
+}
+
+void PimpleGas::set_reference_pressure()
+{
+    const dictionary& dict = control_.dict();
+    const auto given = [&dict](const word& field) {
+        return dict.found(field + "RefCell") || dict.found(field + "RefPoint");
+    };
+    const bool of_p = given(p_.name()), of_p_rgh = given(p_rgh_.name());
+    if (of_p == of_p_rgh)
+        throw UserError(
+            of_p ? "the pressure has two references, pRefCell or pRefPoint and p_rghRefCell or p_rghRefPoint"
+                 : "no boundary condition of p_rgh gives a pressure, and neither does the solver's control",
+            "system/fvSolution, PIMPLE",
+            of_p ? "leave one of them away"
+                 : "add `pRefCell 0; pRefValue 0;` (of p) or `p_rghRefCell 0; p_rghRefValue 0;` [Pa] there, or "
+                   "give 0/p_rgh a patch of type fixedValue, prghPressure or the like");
+    setRefCell(of_p ? p_ : p_rgh_, p_rgh_, dict, reference_cell_, reference_pressure_);
+    if (of_p && reference_cell_ >= 0)
+        reference_pressure_ -= rho_.value() * properties_.height_potential()[reference_cell_];
 }
 
 void PimpleGas::take(const Demand& demand)
@@ -127,16 +158,13 @@ void PimpleGas::take(const Demand& demand)
 void PimpleGas::solve(double, const Demand& demand)
 {
     take(demand);
-    const dimensionedScalar nu("nu", mu_ / rho_);
-    const volScalarField voidage_nu("voidageNu", voidage_ * nu);
     const surfaceScalarField flux_change(face_voidage_ * fvc::ddtCorr(U_, phi_));  // of old levels only
 
     while (control_.loop()) {
-        const surfaceScalarField voidage_phi("voidagePhi", face_voidage_ * phi_);
-        fvVectorMatrix momentum(fvm::ddt(gas_share_, U_) + fvm::div(voidage_phi, U_) -
-                                fvm::Sp(fvc::ddt(gas_share_) + fvc::div(voidage_phi), U_) -
-                                fvm::laplacian(voidage_nu, U_) - fvc::div(voidage_nu * dev2(T(fvc::grad(U_)))) +
-                                fvm::Sp(rate_, U_));
+        superficial_phi_ = face_voidage_ * phi_;
+        fvVectorMatrix momentum(fvm::ddt(gas_share_, U_) + fvm::div(superficial_phi_, U_) -
+                                fvm::Sp(fvc::ddt(gas_share_) + fvc::div(superficial_phi_), U_) +
+                                stress_.divDevReff(U_) + fvm::Sp(rate_, U_));
         momentum.relax();
         if (control_.momentumPredictor())
             Foam::solve(momentum == in_cells(face_source_ - face_share_ * mesh_.magSf() * fvc::snGrad(p_rgh_)));
@@ -144,6 +172,7 @@ void PimpleGas::solve(double, const Demand& demand)
         while (control_.correct())
             correct_pressure(momentum, response, flux_change);
     }
+    superficial_phi_ = face_voidage_ * phi_;
     update_pressure();
 }
 
@@ -201,7 +230,7 @@ tmp<volVectorField::Internal> PimpleGas::in_cells(const surfaceScalarField& forc
 
 Scalars PimpleGas::outflow() const
 {
-    const scalarField rate(fvc::surfaceIntegrate(face_voidage_ * phi_)().primitiveField());
+    const scalarField rate(fvc::surfaceIntegrate(superficial_phi_)().primitiveField());
     const double dt = mesh_.time().deltaTValue();
     Scalars volume(static_cast<std::size_t>(rate.size()));
     forAll(rate, c) volume[static_cast<std::size_t>(c)] = dt * rate[c] * mesh_.V()[c];
@@ -214,8 +243,7 @@ Crossing PimpleGas::crossing() const
     forAll(phi_.boundaryField(), patch)
     {
         if (mesh_.boundary()[patch].coupled()) continue;
-        const scalarField flow(face_voidage_.boundaryField()[patch] * phi_.boundaryField()[patch]);
-        for (const scalar out : flow)
+        for (const scalar out : superficial_phi_.boundaryField()[patch])
             (out > 0 ? total.out : total.in) += std::abs(out);
     }
     const double dt = mesh_.time().deltaTValue();

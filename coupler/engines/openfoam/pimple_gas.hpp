@@ -34,6 +34,8 @@ public:
 private:
     struct Response;
 
+    void refuse_control_of_others() const;
+    void set_reference_pressure();
     void take(const Demand& demand);
     void correct_pressure(const Foam::fvVectorMatrix& momentum, const Response& response,
                           const Foam::surfaceScalarField& flux_change);
@@ -42,7 +44,6 @@ private:
     /// of the instructions).
     Foam::tmp<Foam::volVectorField::Internal> in_cells(const Foam::surfaceScalarField& force) const;
 
-    Foam::surfaceScalarField phi_;  ///< of u [m3/s]
     Foam::surfaceScalarField face_voidage_;
     Foam::volScalarField gas_share_;         ///< at the start of the step
     Foam::volScalarField::Internal rate_;    ///< over density [1/s]
@@ -59,8 +60,8 @@ private:
     Foam::volTensorField::Internal to_cells_;  ///< from sums over faces [1/m2]
     Foam::volScalarField::Internal surplus_;   ///< q - div A [1/s]
     Foam::pimpleControl control_;
-    Foam::label reference_cell_ = 0;
-    Foam::scalar reference_pressure_ = 0;
+    Foam::label reference_cell_ = -1;      ///< of this rank, where no boundary condition gives a pressure
+    Foam::scalar reference_pressure_ = 0;  ///< of p_rgh there [Pa]
 };
 
 }  // namespace interphase

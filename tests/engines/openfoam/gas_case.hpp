@@ -12,6 +12,7 @@
 #include <fstream>
 #include <functional>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -55,6 +56,9 @@ struct Scene {
     int outer_correctors = 1;
     int correctors = 2;
     double pressure_tolerance = 1e-12;
+    int pressure_iterations = 1;  ///< at least; 0 where there may be nothing to correct, which PCG divides by
+    Vector gravity{0, 0, 0};      ///< [m/s2]
+    std::string functions;        ///< function objects: what stands in `functions { ... }` of controlDict
     VectorField velocity = [](const Vector&) { return Vector(0, 0, 0); };  ///< at the start [m/s]
 
     /// Writes another mesh than the box into the folder polyMesh; the gas is at rest then.
@@ -85,7 +89,7 @@ private:
 
 inline testing::Environment* const mpi_session = testing::AddGlobalTestEnvironment(new MpiSession);
 
-/// Gravity is zero: p and p_rgh are the same.
+/// Where gravity is zero, p and p_rgh are the same.
 class GasCase {
 public:
     /// All of the mesh on this rank.
@@ -169,6 +173,7 @@ public:
     /// own motion would push out is the change of the voidage, of the order of the time scheme.
     void step(const Scalars& voidage, const Scalars& rate, const Scalars& source)
     {
+        if (!scene_.functions.empty()) foam_->running();
         foam_->advance_time(scene_.gas_step);
         Demand demand(cells());
         demand.rate = rate;
@@ -183,7 +188,7 @@ public:
             demand.surplus[c] = -(second_order ? 1.5 * change - 0.5 * change_before : change) / scene_.gas_step;
         }
         gas_->set_voidage(voidage);
-        gas_->solve(scene_.gas_step, demand);
+        foam_->with_own_errors([&] { gas_->solve(scene_.gas_step, demand); });
         if (const auto trouble = gas_->trouble()) throw UserError(*trouble);
     }
 
@@ -203,6 +208,26 @@ public:
     const CellLocator& locator() const { return gas_->locator(); }
     const Scalars& volumes() const { return gas_->mesh().volume; }
     double pressure(std::size_t c) const { return gas_->pressure_at(centre(c)); }
+
+    /// The numbers of the last line that a function object wrote to postProcessing/`file`, the time first.
+    std::vector<double> last_line(const std::string& file)
+    {
+        foam_->running();  // executes them for the last step
+        std::ifstream in(folder_ + "/postProcessing/" + file);
+        std::string line, last;
+        while (std::getline(in, line))
+            if (!line.empty() && line[0] != '#') last = line;
+        for (char& c : last)
+            if (c == '(' || c == ')') c = ' ';
+        std::istringstream numbers(last);
+        std::vector<double> found;
+        for (std::string word; numbers >> word;) {
+            char* end = nullptr;
+            const double number = std::strtod(word.c_str(), &end);
+            if (*end == '\0') found.push_back(number);
+        }
+        return found;
+    }
 
 private:
     void make_mesh() const
@@ -242,7 +267,9 @@ private:
         write("system/controlDict", "dictionary",
               "application interphase; startFrom startTime; startTime 0; stopAt endTime; endTime 1e9; deltaT " +
                   number(scene_.gas_step) +
-                  "; writeControl timeStep; writeInterval 1000000000; timeFormat general; timePrecision 12;");
+                  "; writeControl timeStep; writeInterval 1000000000; timeFormat general; timePrecision 12; "
+                  "writePrecision 16; functions { " +
+                  scene_.functions + " }");
         write("system/couplingDict", "dictionary", "");
         write("system/fvSchemes", "dictionary",
               "ddtSchemes { default " + scene_.time_scheme +
@@ -252,14 +279,16 @@ private:
         const std::string tolerance = number(scene_.pressure_tolerance);
         write("system/fvSolution", "dictionary",
               "solvers { \"p_rgh.*\" { solver PCG; preconditioner DIC; tolerance " + tolerance +
-                  "; relTol 0; minIter 1; } \"U.*\" { solver smoothSolver; smoother symGaussSeidel; tolerance 1e-14; "
+                  "; relTol 0; minIter " + std::to_string(scene_.pressure_iterations) +
+                  "; } \"U.*\" { solver smoothSolver; smoother symGaussSeidel; tolerance 1e-14; "
                   "relTol 0; } }\n"
                   "PIMPLE { nOuterCorrectors " +
                   std::to_string(scene_.outer_correctors) + "; nCorrectors " + std::to_string(scene_.correctors) +
                   "; p_rghRefCell 0; p_rghRefValue 0; }");
         write("constant/transportProperties", "dictionary",
               "rho " + number(scene_.density) + "; mu " + number(scene_.viscosity) + ";");
-        write("constant/g", "uniformDimensionedVectorField", "dimensions [0 1 -2 0 0 0 0]; value (0 0 0);");
+        write("constant/g", "uniformDimensionedVectorField",
+              "dimensions [0 1 -2 0 0 0 0]; value " + number(scene_.gravity) + ";");
         write("system/blockMeshDict", "dictionary", mesh_description());
         write("0/U", "volVectorField",
               "dimensions [0 1 -1 0 0 0 0]; internalField " + initial_velocity() + "; boundaryField { " +

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "Time.H"
+
+namespace interphase {
+
+/// Time::run(), with its function objects. A UserError where one of `functions` in system/controlDict would be wrong
+/// for a gas among particles, or was not made, which OpenFOAM tells in its log only, or ends the process for.
+bool run_with_function_objects(Foam::Time& time);
+
+/// Where the function object stands that fails with OpenFOAM's `message`; empty where it is none or cannot be known.
+/// For messages that all ranks have.
+std::string failing_function(const Foam::Time& time, const std::string& message);
+
+}  // namespace interphase

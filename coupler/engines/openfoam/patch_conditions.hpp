@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "fvMesh.H"
+
+namespace interphase {
+
+/// A UserError for a boundary condition of U or p_rgh, in the registry of the mesh, that cannot be right for an
+/// incompressible gas whose pressure is p_rgh, with what to take in its place.
+void refuse_unfit_conditions(const Foam::fvMesh& mesh);
+
+/// Where the boundary condition stands that fails with OpenFOAM's `message`, type and patch; empty where it is none or
+/// cannot be known. For messages that all ranks have.
+std::string failing_condition(const Foam::fvMesh& mesh, const std::string& message);
+
+}  // namespace interphase
