@@ -60,8 +60,8 @@ def _file(folder, name, kind, text):
 
 
 def write(folder, patches=(), types=(), end=0.004, control="", solution="", density=1.2, viscosity=1.8e-5, at_start="(0 0 0)",
-          cells="4 4 8", floor=FLOOR, sphere="0.051 0.051", files=()):  # fmt: skip
-    """The case in `folder`, with its mesh. `patches`: {patch: {"U": ..., "p_rgh": ...}} takes the place of an inlet of
+          cells="4 4 8", floor=FLOOR, sphere="0.051 0.051", files=(), mesh=True):  # fmt: skip
+    """The case in `folder`, with its mesh unless told otherwise. `patches`: {patch: {"U": ..., "p_rgh": ...}} takes the place of an inlet of
     0.5 m/s at the bottom, an outlet at the top and walls; `types`: {patch: type of the mesh, with what it needs};
     `floor`: the corners' x and y [m]; `files`: {name: text} beside the case's own."""
     conditions = {side: {**WALL} for side in SIDES}
@@ -88,7 +88,8 @@ def write(folder, patches=(), types=(), end=0.004, control="", solution="", dens
     support.write(os.path.join(folder, "dem/in.liggghts"), SCRIPT.format(sphere=sphere))
     for name, text in dict(files).items():
         _file(folder, name, "uniformDimensionedScalarField" if name.endswith("hRef") else "dictionary", text)
-    execute("blockMesh", folder)
+    if mesh:
+        execute("blockMesh", folder)
     return folder
 
 

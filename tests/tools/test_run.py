@@ -370,12 +370,6 @@ class Execution(Bench):
         self.assertTrue(os.path.isdir(os.path.join(self.out, "processor1")))
         self.assertFalse(os.path.exists(os.path.join(self.out, "bed.foam")), done.stdout)
 
-    def test_gas_without_any_mesh(self):
-        os.remove(os.path.join(self.case, "system/blockMeshDict"))
-        done = self.run_tool("bed")
-        self.assertEqual(done.returncode, 1)
-        self.assertIn("neither system/blockMeshDict nor constant/polyMesh", done.stderr)
-
     def test_prepare_runs_in_the_copy_with_tools_on_path_before_the_mesh(self):
         write(os.path.join(self.case, "prepare"),
               f'#!/bin/sh\necho prepare >> "{self.calls}"\npwd\ncommand -v picture\ngrep velocity parameters\ntouch dem/bed.data\n',
@@ -450,6 +444,143 @@ class Execution(Bench):
         done = self.succeed("bed")  # the fake program writes no particles.h5
         self.assertIn("warning: picture failed", done.stderr)
         self.assertNotIn("picture", self.succeed("bed", "--overwrite", "--no-picture").stderr)
+
+
+
+class Mesh(Bench):
+    """A mesh that is there is used; else blockMesh makes one. Which, is told."""
+
+    def finished_mesh(self, end=""):
+        for name in ("points", "faces", "owner", "neighbour", "boundary"):
+            write(os.path.join(self.case, "constant/polyMesh", name + end), "the user's own")
+
+    def test_none(self):
+        os.remove(os.path.join(self.case, "system/blockMeshDict"))
+        done = self.run_tool("bed")
+        self.assertEqual(done.returncode, 2)
+        self.assertRegex(done.stderr, "no constant/polyMesh with points, .*system/blockMeshDict or constant/polyMesh/blockMeshDict.*add a dictionary")
+
+    def test_of_the_dictionary(self):
+        self.assertIn("mesh: of system/blockMeshDict, by blockMesh", self.succeed("bed").stdout)
+
+    def test_of_the_dictionary_in_its_old_place(self):
+        os.makedirs(os.path.join(self.case, "constant/polyMesh"))
+        shutil.move(os.path.join(self.case, "system/blockMeshDict"), os.path.join(self.case, "constant/polyMesh/blockMeshDict"))
+        done = self.succeed("bed")
+        self.assertEqual(self.called(), ["blockMesh", "interphase"])
+        self.assertIn("mesh: of constant/polyMesh/blockMeshDict, by blockMesh", done.stdout)
+
+    def test_of_two_dictionaries(self):
+        write(os.path.join(self.case, "constant/polyMesh/blockMeshDict"), "vertices ();")
+        done = self.run_tool("bed")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("two dictionaries for blockMesh, system/blockMeshDict and constant/polyMesh/blockMeshDict: remove one", done.stderr)
+
+    def test_the_user_s_own_stays(self):
+        for end in ("", ".gz"):
+            self.finished_mesh(end)
+            done = self.succeed("bed", "--overwrite")
+            self.assertNotIn("blockMesh", self.called())
+            self.assertRegex(done.stdout, r"mesh: constant/polyMesh of the case, as it is; system/blockMeshDict is not looked at \(remove constant/polyMesh")
+            self.assertEqual(read(self.out, "constant/polyMesh/points" + end), "the user's own")
+            shutil.rmtree(os.path.join(self.case, "constant/polyMesh"))
+
+    def test_a_newer_dictionary_is_told(self):
+        self.finished_mesh()
+        os.utime(os.path.join(self.case, "constant/polyMesh/points"), (1e9, 1e9))
+        self.assertIn("system/blockMeshDict, though it is newer, is not looked at", self.succeed("bed").stdout)
+
+    def test_settings_of_a_mesh_that_is_there(self):
+        """... would change nothing."""
+        write(os.path.join(self.case, "parameters"), PARAMETERS + "cells 20;\nheight 1;\n")
+        write(os.path.join(self.case, "system/blockMeshDict"), "vertices ((0 0 $height)); blocks (${cells});\nscale 1;\n")
+        self.succeed("bed", "--set", "cells=40")
+        self.finished_mesh()
+        for setting in ("cells=40", "height=2", "system/blockMeshDict:scale=2"):
+            message = self.refused_now("bed", "--set", setting)
+            self.assertRegex(message, "is of the mesh that system/blockMeshDict describes.*remove constant/polyMesh")
+        self.succeed("bed", "--overwrite", "--set", "velocity=3")
+
+    def refused_now(self, *given):
+        if os.path.exists(self.calls):
+            os.remove(self.calls)
+        return self.refused(*given)
+
+
+class CollatedFiles(Bench):
+    def test_are_reconstructed(self):
+        """Two ranks' parts in one folder: it is not mistaken for an undecomposed case, and its fields are put together."""
+        self.program("decomposePar", 'mkdir -p "$2/processors2/0"')
+        self.binary = self.program("interphase", 'mkdir -p "$3/processors2/0.5"')
+        self.succeed("bed", "--ranks", "2")
+        self.assertEqual(self.called(), ["blockMesh", "decomposePar", "mpirun", "interphase", "reconstructPar"])
+        self.assertFalse(os.path.exists(os.path.join(self.out, "processor0")))
+
+    def test_are_left_by_a_run(self):
+        write(os.path.join(self.case, "processors4/0/U"), "")
+        self.succeed("bed")
+        self.assertFalse(os.path.exists(os.path.join(self.out, "processors4")))
+
+
+class Rights(Bench):
+    """Somebody who may not write everywhere: a message, or it works, and never a traceback."""
+
+    def setUp(self):
+        super().setUp()
+        # root may do all: it takes another's place
+        self.place = {"user": 65534, "group": 65534, "extra_groups": []} if os.geteuid() == 0 else {}
+        self.mine = os.path.join(self.root, "mine")
+        os.makedirs(self.mine)
+        os.chmod(self.root, 0o755)
+        if self.place:
+            os.chown(self.mine, 65534, 65534)
+        self.out = os.path.join(self.mine, "out")
+        self.calls = os.path.join(self.mine, "calls")
+        for name in ("blockMesh", "decomposePar", "reconstructPar", "interphase"):
+            os.chmod(self.program(name, "echo done"), 0o755)
+
+    def run_as_other(self, *given):
+        return subprocess.run(
+            self.arguments(*given), env=self.environment(HOME=self.mine), cwd=self.mine, stdin=subprocess.DEVNULL, capture_output=True,
+            text=True, timeout=60, **self.place,
+        )  # fmt: skip
+
+    def close(self, folder):
+        for base, folders, files in os.walk(folder):
+            for name in files:
+                os.chmod(os.path.join(base, name), 0o444)
+            os.chmod(base, 0o555)
+        self.addCleanup(self.open, folder)
+
+    @staticmethod
+    def open(folder):
+        for base, _, _ in os.walk(folder):
+            os.chmod(base, 0o755)
+
+    def test_a_read_only_case(self):
+        self.close(self.case)
+        done = self.run_as_other(self.case, "--set", "velocity=3", "--no-picture")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("velocity  3;", read(self.out, "parameters"))
+        self.assertEqual(self.run_as_other(self.case, "--overwrite", "--no-picture").returncode, 0)
+
+    def test_a_case_that_cannot_be_read(self):
+        hidden = os.path.join(self.case, "dem/in.liggghts")
+        os.chmod(hidden, 0)
+        done = self.run_as_other(self.case)
+        self.assertEqual(done.returncode, 2)
+        self.assertNotIn("Traceback", done.stderr)
+        self.assertRegex(done.stderr, "cannot copy .*dem/in.liggghts.*Permission denied.*right to read")
+
+    def test_a_run_s_folder_that_cannot_be_written(self):
+        closed = os.path.join(self.root, "closed")
+        os.makedirs(closed)
+        os.chmod(closed, 0o555)
+        self.out = os.path.join(closed, "run")
+        done = self.run_as_other(self.case)
+        self.assertEqual(done.returncode, 1)
+        self.assertNotIn("Traceback", done.stderr)
+        self.assertRegex(done.stderr, f"{self.out}: Permission denied.*--out DIR")
 
 
 class FoamFile(unittest.TestCase):

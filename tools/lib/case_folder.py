@@ -5,6 +5,7 @@ import fnmatch
 import os
 import re
 import shutil
+import stat
 
 from lib import foam_file
 from lib.foam_file import FoamFileError, nearest
@@ -15,7 +16,7 @@ CONTROL = "system/controlDict"
 
 # What a run leaves behind; not part of a case.
 LEFT_BY_A_RUN = (
-    "processor[0-9]*", "postProcessing", "dynamicCode", "log.*", "*.foam", "run.json", "__pycache__",
+    "processor[0-9]*", "processors[0-9]*", "postProcessing", "dynamicCode", "log.*", "*.foam", "run.json", "__pycache__",
     "results.h5", "particles.h5", "particles.xdmf", "bed.png", "report.png", "frames",
 )
 
@@ -246,7 +247,24 @@ def set_number_of_subdomains(case, ranks):
 
 
 def copy(case_folder, run_folder):
-    """Copy what belongs to the case, links followed, so that the run's folder stands alone."""
-    shutil.copytree(
-        case_folder, run_folder, dirs_exist_ok=True, ignore=shutil.ignore_patterns(*LEFT_BY_A_RUN)
-    )
+    """Copy what belongs to the case, links followed, so that the run's folder stands alone. A case may be read-only; its copy
+    is the user's to write."""
+    try:
+        shutil.copytree(
+            case_folder, run_folder, dirs_exist_ok=True, ignore=shutil.ignore_patterns(*LEFT_BY_A_RUN)
+        )
+    except shutil.Error as several:
+        source, _, why = several.args[0][0]
+        raise CaseError(f"cannot copy {source} of the case: {why}; give yourself the right to read it") from None
+    for base, folders, files in os.walk(run_folder):
+        for name in (*folders, *files):
+            _own(os.path.join(base, name))
+    _own(run_folder)
+
+
+def _own(path):
+    """Its owner may read and write it, and enter it where it is a folder."""
+    mode = os.stat(path).st_mode
+    wanted = mode | stat.S_IRUSR | stat.S_IWUSR | (stat.S_IXUSR if stat.S_ISDIR(mode) else 0)
+    if wanted != mode:
+        os.chmod(path, wanted)

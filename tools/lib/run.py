@@ -17,7 +17,7 @@ import time
 TOOLS = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 sys.path[0] = TOOLS  # not this folder: its statistics.py is not Python's
 
-from lib import case_folder, foam_file, launch  # noqa: E402
+from lib import case_folder, foam_file, launch, mesh_choice  # noqa: E402
 from lib.case_folder import CONTROL, COUPLING, PARAMETERS, CaseError  # noqa: E402
 
 REPOSITORY = os.path.dirname(TOOLS)
@@ -30,6 +30,9 @@ EXAMPLES = """examples:
 
 --set names an entry of the case's file `parameters`, or FILE:ENTRY of any other file in OpenFOAM syntax, nested
 by '/'. Entries are replaced, never added: what a case does not mention, add to its file first.
+
+The mesh is the case's constant/polyMesh where there is one, as it is; else blockMesh makes it of system/blockMeshDict or
+constant/polyMesh/blockMeshDict. Which, is told.
 
 The run's folder then holds results.h5, particles.h5 and particles.xdmf, the gas in OpenFOAM's time folders,
 log.* of every program, and bed.png. The command line of the program is printed: on the prepared folder it does
@@ -179,23 +182,28 @@ def prepare(case, folder, ranks, environment, say):
     if os.access(own, os.X_OK):
         step(own)
     if gas != "none":
-        if os.path.isfile(os.path.join(folder, "system/blockMeshDict")):
-            step("blockMesh", "-case", folder)
-        elif not os.path.isdir(os.path.join(folder, "constant/polyMesh")):
-            raise launch.StepFailed(
-                f"the case has no mesh: neither system/blockMeshDict nor constant/polyMesh, and gas model '{gas}' needs one"
-            )
+        mesher, told = mesh_choice.choose(folder, case.folder, gas)
+        say(told)
+        if mesher:
+            step(mesher, "-case", folder)
     if ranks > 1:
         if gas != "none":
             step("decomposePar", "-case", folder, "-force")
-        for rank in range(ranks):  # OpenFOAM wants them even where there is no mesh to be cut
-            os.makedirs(os.path.join(folder, f"processor{rank}"), exist_ok=True)
+        if not collated_parts(folder):
+            for rank in range(ranks):  # OpenFOAM wants them even where there is no mesh to be cut
+                os.makedirs(os.path.join(folder, f"processor{rank}"), exist_ok=True)
     return gas
+
+
+def collated_parts(folder):
+    """Names of the folders in which OpenFOAM's file handler `collated` keeps the parts of all ranks."""
+    return [name for name in os.listdir(folder) if re.fullmatch(r"processors\d+(_\d+-\d+)?", name)]
 
 
 def wrote_gas(folder):
     """Whether the pieces hold a time after the start."""
-    names = os.listdir(os.path.join(folder, "processor0"))
+    names = [name for part in ("processor0", *collated_parts(folder)) if os.path.isdir(os.path.join(folder, part))
+             for name in os.listdir(os.path.join(folder, part))]
     return any(re.fullmatch(r"\d+\.?\d*(e[-+]?\d+)?", name) and float(name) > 0 for name in names)
 
 
@@ -229,6 +237,7 @@ def main():
     case_path = case_folder.checked_case(given.case, cases())
     case = case_folder.Dictionaries(case_path)
     method, weight = apply_settings(case, given)
+    mesh_choice.check_settings(case, [split_setting(setting)[:2] for setting in given.settings])
     case_folder.anchor_plugins(case)
     if given.ranks > 1:
         case_folder.set_number_of_subdomains(case, given.ranks)
@@ -284,6 +293,10 @@ if __name__ == "__main__":
     except launch.StepFailed as failed:
         print(f"tools/run: error: {failed}", file=sys.stderr)
         sys.exit(failed.code)
+    except OSError as error:
+        print(f"tools/run: error: {error.filename or 'a file'}: {error.strerror}; the run's folder must be yours to write "
+              "and have room: --out DIR takes another one", file=sys.stderr)
+        sys.exit(1)
     except KeyboardInterrupt:
         print("tools/run: stopped", file=sys.stderr)
         sys.exit(130)

@@ -52,7 +52,7 @@ void refuse_wrong_decomposition(const fs::path& folder)
                             " ranks, and the case is not decomposed: there is neither processor0 nor processors" +
                             std::to_string(ranks),
                         folder.string(), decompose + ", or start 1 rank");
-    if (const int parts = collated > 0 ? collated : single; parts != ranks)
+    if (const int parts = single > 0 ? single : collated; single != ranks && collated != ranks)
         throw UserError("the case is decomposed into " + std::to_string(parts) + " parts, and the run has " +
                             std::to_string(ranks) + " ranks",
                         folder.string(), decompose + ", or start " + std::to_string(parts) + " ranks");

@@ -2,9 +2,12 @@
 #include "engines/openfoam/foam_case.hpp"
 
 #include <mpi.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -63,6 +66,31 @@ void refuse_folder_without_case(const std::filesystem::path& folder)
                             "name a case folder; cases/ holds examples, tools/run prepares one");
 }
 
+/// OpenFOAM strips what it does not bear in a name, and may so come to another folder. Links are not followed: a link
+/// without such letters is a way.
+void refuse_path_that_openfoam_cuts(const std::filesystem::path& folder)
+{
+    const std::string path = std::filesystem::absolute(folder).lexically_normal().string();
+    const auto unfit = path.find_first_of(" \t\n\"';{}$\\");
+    if (unfit == std::string::npos) return;
+    throw UserError(
+        "OpenFOAM bears no `" + path.substr(unfit, 1) + "` in a path, and would open another folder",
+        "the case's folder, " + path,
+        "rename it, or make a link to it, elsewhere and without such letters (ln -s), and name that by -case");
+}
+
+/// What a run writes in folders of the case is told where it is written.
+void refuse_read_only_case(const std::filesystem::path& folder)
+{
+    for (const char* written : {".", "log.openfoam", "results.h5", "particles.h5", "particles.xdmf"}) {
+        if (access((folder / written).c_str(), W_OK) == 0 || errno == ENOENT) continue;
+        throw UserError("the run cannot write into the case: " + std::string(std::strerror(errno)),
+                        std::filesystem::absolute(folder / written).lexically_normal().string(),
+                        "give yourself the right to write there, or run a copy of the case in a folder of your own "
+                        "(tools/run makes one)");
+    }
+}
+
 /// A file of the case, from its folder on, that holds a dictionary; an empty one where there is no such file.
 class DictionaryFile {
 public:
@@ -110,6 +138,8 @@ FoamCase::FoamCase(int& argc, char**& argv) : parts_(std::make_unique<Parts>())
     }
     const auto folder = case_folder(argc, argv);
     refuse_folder_without_case(folder);
+    refuse_path_that_openfoam_cuts(folder);
+    refuse_read_only_case(folder);
     refuse_wrong_decomposition(folder);
     if (ranks > 1 && !given("-parallel"))
         throw UserError("the run has " + std::to_string(ranks) + " ranks, and no option -parallel", "the command line",

@@ -21,6 +21,11 @@ std::string trimmed(const std::string& message)
 
 Problem reworded(const std::string& message, const std::string& where)
 {
+    if (message.find("in directory \"polyMesh\"") != std::string::npos)
+        return {"the case has no mesh: " + trimmed(message),
+                "constant/polyMesh, and on several ranks that of each of the processor folders",
+                "make one by blockMesh, snappyHexMesh -overwrite or the like, and decomposePar for several ranks "
+                "(tools/run calls blockMesh and decomposePar)"};
     std::smatch found;
     if (!std::regex_search(message, found, missing_object)) return {trimmed(message), where, remedy_for(message)};
     return {"a boundary condition or function object asks for the " + found.str(1) + " `" + found.str(2) +

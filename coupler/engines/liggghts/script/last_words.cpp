@@ -3,14 +3,19 @@
 
 #include <mpi.h>
 
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <deque>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 #include <thread>
+
+#include "base/user_error.hpp"
 
 namespace interphase {
 
@@ -61,6 +66,20 @@ void show()
                      LastWords::log_name);
 }
 
+/// LIGGGHTS ends without a word where it cannot open it.
+void make_log()
+{
+    const std::filesystem::path log = LastWords::log_name;
+    std::error_code ignored;
+    std::filesystem::create_directories(log.parent_path(), ignored);
+    errno = 0;
+    if (!std::ofstream(log))
+        throw UserError("LIGGGHTS's log cannot be written: " + std::string(std::strerror(errno)),
+                        std::filesystem::absolute(log).string(),
+                        "give yourself the right to write there, or run a copy of the case in a folder of your own "
+                        "(tools/run makes one)");
+}
+
 void show_at_exit()
 {
     if (speaking) show();
@@ -70,6 +89,7 @@ void show_at_exit()
 
 LastWords::LastWords(bool speaks)
 {
+    if (speaks) make_log();
     static const int registered = std::atexit(show_at_exit);
     static_cast<void>(registered);
     listening = true;

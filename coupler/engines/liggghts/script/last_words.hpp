@@ -11,6 +11,7 @@ class LastWords {
 public:
     static constexpr const char* log_name = "dem/log.liggghts";
 
+    /// Makes the folder of the log, too; a UserError where there can be none, or no log in it.
     explicit LastWords(bool speaks);
 
     /// A stream for LIGGGHTS's `screen` on a rank that has no log: only its end is kept, to be shown if LIGGGHTS aborts
