@@ -202,7 +202,7 @@ class Patches(Box):
         self.assertAlmostEqual(p_below - p_rgh_below, WEIGHT * 0.2, delta=1e-9)
 
 
-class ClosedBox(Box):
+class Control(Box):
     CLOSED = {side: {**gas_box.WALL} for side in gas_box.SIDES}
 
     def test_the_pressure_of_a_cell(self):
@@ -223,6 +223,15 @@ class ClosedBox(Box):
         done = support.execute(folder)
         self.assertEqual(done.code, 1)
         self.assertRegex(done.text, r"stands in PISO(.|\n)*fvSolution, line \d+(.|\n)*rename the block to PIMPLE")
+
+    def test_time_schemes(self):
+        for scheme in ("steadyState", "CrankNicolson 0.9", "bounded Euler", "localEuler"):
+            with self.subTest(scheme):
+                folder = gas_box.write(os.path.join(self.root, scheme.split()[0]))
+                self.edit(folder, "system/fvSchemes", "default Euler", f"default {scheme}")
+                done = support.execute(folder)
+                self.assertEqual(done.code, 1)
+                self.assertRegex(done.text, f"time scheme {scheme.split()[0]} of (.|\n)*ddtSchemes(.|\n)*take Euler, or backward")
 
 
 if __name__ == "__main__":

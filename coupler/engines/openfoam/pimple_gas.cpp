@@ -74,6 +74,7 @@ PimpleGas::PimpleGas(fvMesh& mesh)
       control_(mesh)
 {
     refuse_control_of_others();
+    refuse_other_time_schemes();
     mesh.setFluxRequired(p_rgh_.name());
     if (p_rgh_.needReference()) set_reference_pressure();
 }
@@ -87,6 +88,18 @@ void PimpleGas::refuse_control_of_others() const
                                 ", and this gas is solved by PIMPLE, which would take its defaults",
                             "system/fvSolution, line " + std::to_string(solution.findEntry(other)->startLineNumber()),
                             std::string("rename the block to PIMPLE (nOuterCorrectors 1 is PISO)"));
+}
+
+void PimpleGas::refuse_other_time_schemes() const
+{
+    // take() sets the levels of the gas share that these two look at
+    for (const char* term : {"ddt(gasShare,U)", "ddt(U)"}) {
+        const std::string scheme = word(mesh_.ddtScheme(term));
+        if (scheme != "Euler" && scheme != "backward")
+            throw UserError("the time scheme " + scheme + " of " + term +
+                                " does not keep the momentum of a gas whose voidage changes",
+                            "system/fvSchemes, ddtSchemes", "take Euler, or backward for second order");
+    }
 }
 
 void PimpleGas::set_reference_pressure()

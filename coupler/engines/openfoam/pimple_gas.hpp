@@ -35,6 +35,7 @@ private:
     struct Response;
 
     void refuse_control_of_others() const;
+    void refuse_other_time_schemes() const;
     void set_reference_pressure();
     void take(const Demand& demand);
     void correct_pressure(const Foam::fvVectorMatrix& momentum, const Response& response,
