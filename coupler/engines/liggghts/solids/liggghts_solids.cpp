@@ -121,7 +121,7 @@ std::vector<Problem> LiggghtsSolids::remarks()
     if (looked_at_ && has_fix("insert/")) refuse_particles_moved_twice();
     if (!looked_at_ || has_fix("insert/"))
         if (const auto problem = remark_on_unmoved()) all.push_back(*problem);
-    if (rayleigh_time_)
+    if (looked_at_ && rayleigh_time_)
         if (const auto problem = remark_on_fast_contacts()) all.push_back(*problem);
     looked_at_ = true;
     return all;
@@ -143,6 +143,17 @@ std::vector<Problem> LiggghtsSolids::remarks_on_scene()
             pairs ? "make the particles smaller or less of them, or let them settle first: the overlaps burst apart"
                   : "check the numbers of the wall (zcylinder R X Y, ycylinder R Z X, xcylinder R Y Z) and where the "
                     "particles are"});
+    }
+    for (int i = 0; i < lmp_->modify->nfix; ++i) {
+        const LAMMPS_NS::Fix& fix = *lmp_->modify->fix[i];
+        constexpr int moving = LAMMPS_NS::FixConst::INITIAL_INTEGRATE | LAMMPS_NS::FixConst::FINAL_INTEGRATE;
+        if (is_of_plugin(fix.style) && !fix.time_integrate && (lmp_->modify->fmask[i] & moving))
+            all.push_back(Problem{std::string("fix ") + fix.id + " (" + fix.style +
+                                      ") acts where integrators do, and does not say that it moves particles: if it "
+                                      "does, another integrator would move them twice unseen",
+                                  settings_.script,
+                                  "set `time_integrate = 1;` in the constructor of a fix that moves "
+                                  "particles"});
     }
     if (settings_.gas != GasModel::none && has_fix("move/mesh"))
         all.push_back(
