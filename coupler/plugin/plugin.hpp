@@ -30,6 +30,7 @@
 #include "neighbor.h"
 #include "plugin/fingerprint.hpp"
 #include "plugin/solid_stress.hpp"
+#include "plugin/wall_gaps.hpp"
 #include "pointers.h"
 #include "update.h"
 

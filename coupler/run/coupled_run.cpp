@@ -77,6 +77,32 @@ CoupledRun::CoupledRun(GasCase& gas_case, const MakeParticleEngine& make_particl
     results_ = std::make_unique<Results>(comm_);
     snapshots_ = std::make_unique<ParticleSnapshots>(comm_);
     describe_run();
+    tell_warnings();
+}
+
+std::vector<EngineWarnings*> CoupledRun::warners() const
+{
+    std::vector<EngineWarnings*> all;
+    for (EngineWarnings* engine : {solids_->warnings(), case_.warnings()})
+        if (engine) all.push_back(engine);
+    return all;
+}
+
+void CoupledRun::tell_warnings()
+{
+    for (const Problem& remark : solids_->remarks())
+        report_.warn(remark.message());
+    for (EngineWarnings* of : warners())
+        for (const std::string& words : of->news(comm_))
+            report_.warn(of->engine() + " warns: " + words + "\n  where:  " + of->log() +
+                         "\n  when:   up to t = " + text(case_.time()) + " s; more of the kind are counted");
+}
+
+void CoupledRun::tell_own_warnings() const
+{
+    for (const EngineWarnings* of : warners())
+        for (const std::string& words : of->own_news())
+            report_.warn(of->engine() + " warns: " + words + "\n  where:  " + of->log());
 }
 
 void CoupledRun::describe_run()
@@ -131,6 +157,7 @@ void CoupledRun::run()
             step();
         finish();
     } catch (...) {
+        tell_own_warnings();
         results_->describe("/meta", "simulated_time", case_.time());
         results_->flush();
         throw;
@@ -167,6 +194,7 @@ void CoupledRun::step()
 
     stopwatch_.switch_to(Phase::output);
     if (coupling_ && !coupling_->news().empty()) report_.warn(coupling_->news());
+    tell_warnings();
     if (coupling_ && settings_.two_way) {
         std::vector<Results::Entry> row{{"time", "s", case_.time()}};
         for (const Account* account : coupling_->ledger().accounts())
@@ -217,6 +245,14 @@ void CoupledRun::finish()
         const auto sent = static_cast<double>(coupling_->bytes_sent());
         results_->describe("/exchange", "bytes_sent_by_busiest_rank", comm_.max(sent));
         results_->describe("/exchange", "bytes_sent", comm_.sum(sent));
+    }
+    for (const Count& count : solids_->counts())
+        summary.counts.push_back(count);
+    for (const EngineWarnings* of : warners()) {
+        const std::string key = "warnings_of_" + of->engine();
+        const long count = of->count(comm_);
+        summary.counts.push_back({key, "warnings of " + of->engine(), count});
+        results_->describe("/meta", key, static_cast<double>(count));
     }
     results_->describe("/meta", "simulated_time", case_.time());
     results_->describe("/meta", "wall_time", report_.wall_seconds());

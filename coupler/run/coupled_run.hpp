@@ -33,6 +33,9 @@ private:
     void check_given_step() const;
     double longest_solid_step() const;
     void describe_run();
+    std::vector<EngineWarnings*> warners() const;
+    void tell_warnings();
+    void tell_own_warnings() const;
     void step();
     double wanted_gas_step() const;
     void record(bool snapshot);

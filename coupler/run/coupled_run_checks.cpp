@@ -34,6 +34,15 @@ void CoupledRun::check_given_step() const
                         "system/couplingDict.particles, solidStep",
                         "give at most t_c/" + text(least_steps) + " = " + text(*contact / least_steps) +
                             " s (t_c/20 is a good start), or make the contacts softer");
+    constexpr double largest_share = 0.4;  // 0.2 in dense, 0.4 in loose packings are usual
+    const std::optional<double> rayleigh = solids_->rayleigh_time();
+    if (resolves_contacts(settings_.method) && rayleigh && step > largest_share * *rayleigh * slack)
+        throw UserError(
+            "the solid step of " + text(step) + " s is " + text(100 * step / *rayleigh) + " % of Rayleigh's time of " +
+                text(*rayleigh) + " s, of the sphere that an elastic wave crosses first",
+            "system/couplingDict.particles, solidStep",
+            "give at most 40 % of it, " + text(largest_share * *rayleigh) +
+                " s (20 % is a good start: " + text(0.2 * *rayleigh) + " s), or a lower youngsModulus in the script");
     if (limit && step > *limit * slack)
         throw UserError("the solid step of " + text(step) + " s is longer than the " + text(*limit) +
                             " s that a fix of the plug-ins bears",
@@ -53,10 +62,12 @@ double CoupledRun::longest_solid_step() const
     if (const std::optional<double> contact = solids_->contact_duration())
         return *contact / settings_.steps_per_collision;
     if (const std::optional<double> limit = solids_->step_limit()) return *limit;
+    const std::optional<double> rayleigh = solids_->rayleigh_time();
+    const std::string hint = rayleigh ? ", say " + text(0.2 * *rayleigh) + ", 20 % of Rayleigh's time"
+                                      : std::string(" (known: pair gran model hooke/stiffness)");
     if (resolves_contacts(settings_.method))
         throw UserError("the contact model gives no collision time to derive the solid step from",
-                        "system/couplingDict.particles",
-                        "give `solidStep` in seconds (known: pair gran model hooke/stiffness)");
+                        "system/couplingDict.particles", "give `solidStep` in seconds" + hint);
     throw UserError(
         "the script gives no stiffness and restitution to derive the solid step from", "system/couplingDict.particles",
         "give `largestOverlap 0.01; impactSpeed 0.3;` with numbers of your scene, or `solidStep` in seconds, or "

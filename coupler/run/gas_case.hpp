@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "base/engine_warnings.hpp"
 #include "run/case_gas.hpp"
 #include "settings/dictionary.hpp"
 #include "settings/settings.hpp"
@@ -38,6 +39,9 @@ public:
 
     virtual bool write_due() const = 0;  ///< of the fields, at the present time
     virtual void write() = 0;            ///< the fields, now
+
+    /// What the engine warned of so far; null where it has no words of its own.
+    virtual EngineWarnings* warnings() { return nullptr; }
 
     /// Runs `body`; what the engine throws in it becomes a UserError with the engine's own words.
     virtual void with_own_errors(const std::function<void()>& body) const = 0;

@@ -5,8 +5,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/communicator.hpp"
+#include "base/count.hpp"
+#include "base/engine_warnings.hpp"
 #include "settings/settings.hpp"
 #include "step/solids.hpp"
 
@@ -21,6 +24,10 @@ public:
     /// The shortest collision time t_c [s], where the contact model tells.
     virtual std::optional<double> contact_duration() const = 0;
 
+    /// The time [s] that a Rayleigh wave takes along the surface of the sphere that it crosses first, where the script
+    /// gives elastic moduli.
+    virtual std::optional<double> rayleigh_time() const { return std::nullopt; }
+
     /// The longest solid step [s] that the plug-ins bear, where one tells.
     virtual std::optional<double> step_limit() const = 0;
 
@@ -29,6 +36,16 @@ public:
 
     /// Sets the step [s] and readies the run of about `steps` steps, with or without a gas. Collective.
     virtual void start(double solid_step, long steps, bool with_gas) = 0;
+
+    /// What a user should know of the scene, which runs all the same: all that came up since the last call. After
+    /// start(). Throws a UserError for what cannot go on. Collective.
+    virtual std::vector<Problem> remarks() { return {}; }
+
+    /// What is counted of it. Collective.
+    virtual std::vector<Count> counts() const { return {}; }
+
+    /// What it warned of so far; null where it has no words of its own.
+    virtual EngineWarnings* warnings() { return nullptr; }
 };
 
 using MakeParticleEngine = std::function<std::unique_ptr<ParticleEngine>(const Communicator&, const Settings&)>;

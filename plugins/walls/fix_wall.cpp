@@ -3,6 +3,7 @@
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -100,6 +101,27 @@ void FixWall::add_walls(std::vector<std::unique_ptr<Wall>>& walls) const
             complain("mesh '" + name + "' moves; only resting meshes are known here. Take away its fix move/mesh");
         walls.push_back(std::make_unique<TriangleWall>(fix->atomTypeWall() - 1, all_triangles(*fix)));
     }
+}
+
+void* FixWall::extract(const char* name, int& dimension)
+{
+    dimension = 0;
+    if (std::string(name) != extract_wall_gaps) return nullptr;
+    asked_of_.clear();
+    add_walls(asked_of_);
+    return static_cast<WallGaps*>(this);
+}
+
+double FixWall::gap(const double centre[3], double radius) const
+{
+    double least = radius;
+    std::vector<WallPoint> points;
+    const Place sphere{{centre[0], centre[1], centre[2]}, radius};
+    for (const auto& wall : asked_of_)
+        if (wall->may_touch(sphere, 0)) wall->near(sphere, 0, points);
+    for (const WallPoint& point : points)
+        least = std::min(least, point.gap);
+    return least;
 }
 
 std::vector<Triangle> FixWall::all_triangles(LAMMPS_NS::FixMeshSurface& fix) const

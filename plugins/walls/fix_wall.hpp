@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fix.h"
+#include "plugin/wall_gaps.hpp"
 #include "walls/triangle_wall.hpp"
 
 namespace LAMMPS_NS {
@@ -21,11 +22,15 @@ namespace interphase::walls {
 ///     fix ID all wall/STYLE mesh n_meshes N meshes MESH_1 ... MESH_N
 ///
 /// Anything else stops the run with an error of LIGGGHTS.
-class FixWall : public LAMMPS_NS::Fix {
+class FixWall : public LAMMPS_NS::Fix, public WallGaps {
 public:
     FixWall(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 
     int setmask() override { return 0; }
+
+    /// What the coupler asks at a run's start. Collective.
+    void* extract(const char* name, int& dimension) override;
+    double gap(const double centre[3], double radius) const override;
 
     /// Adds this fix's walls as they stand now. Collective.
     void add_walls(std::vector<std::unique_ptr<Wall>>& walls) const;
@@ -44,6 +49,7 @@ private:
     std::string primitive_;
     std::vector<double> parameters_;
     std::vector<std::string> meshes_;
+    std::vector<std::unique_ptr<Wall>> asked_of_;  ///< the walls as they stood when gaps were asked for
 };
 
 }  // namespace interphase::walls

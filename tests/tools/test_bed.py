@@ -10,6 +10,10 @@ import subprocess
 import tempfile
 import unittest
 
+import numpy
+from scipy.spatial import cKDTree
+from scipy.stats import kstest, lognorm
+
 BED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools", "bed")
 VESSEL = ["0", "0.2286", "0", "0.0762", "0", "1.2192"]  # SSCP-I
 
@@ -156,11 +160,104 @@ class BedTest(WithBed):
         self.assertIn("--jitter must be", self.refused("--count", 1, "--fill", 1, "--jitter", 2))
 
 
+class MixedBed(WithBed):
+    """Sizes by table and by formula, by number and by mass, with weights."""
+
+    BOX = ["0", "0.03", "0", "0.02", "0", "0.1"]
+
+    def run_bed(self, *options, box=None, **_):
+        command = [BED, "--density", "2500", "--box", *(box or self.BOX), "--out", self.path]
+        return subprocess.run([*command, *map(str, options)], capture_output=True, text=True)
+
+    def atoms(self, *options):
+        self.bed(*options)
+        with open(self.path, encoding="ascii") as file:
+            rows = numpy.loadtxt(file.read().partition("\nAtoms\n\n")[2].splitlines(), ndmin=2)
+        return rows[:, 1].astype(int), rows[:, 2], rows[:, 4:]
+
+    def assert_apart(self, diameter, centre, fill):
+        """No two overlap, and none leaves the box up to `fill` [m]."""
+        pairs = cKDTree(centre).query_pairs(diameter.max(), output_type="ndarray")
+        gap = numpy.linalg.norm(centre[pairs[:, 0]] - centre[pairs[:, 1]], axis=1) - diameter[pairs].mean(axis=1)
+        self.assertGreaterEqual(gap.min(), 0)
+        self.assertTrue((centre - diameter[:, None] / 2 >= 0).all())
+        self.assertTrue((centre + diameter[:, None] / 2 <= (0.03, 0.02, fill * (1 + 1e-12))).all())
+
+    def test_table_by_mass(self):
+        """Whole numbers of each size, mass shares within one particle, the solid fraction asked for."""
+        shares, packing = {1e-3: 0.3, 1.5e-3: 0.3, 2e-3: 0.4}, 0.5
+        _, diameter, centre = self.atoms("--sizes", *(f"{d}:{s}" for d, s in shares.items()), "--shares", "mass", "--count", 4000,
+                                         "--packing", packing)  # fmt: skip
+        self.assertEqual(len(diameter), 4000)
+        volume = math.pi / 6 * diameter**3
+        for size, share in shares.items():
+            self.assertAlmostEqual(volume[diameter == size].sum() / volume.sum(), share, delta=math.pi / 6 * size**3 / volume.sum())
+        self.assert_apart(diameter, centre, volume.sum() / (packing * 0.03 * 0.02))
+        # as dense everywhere: a third of the height holds a third of the volume but for the layers at both ends
+        thirds = numpy.histogram(centre[:, 2], 3, weights=volume)[0] / volume.sum()
+        self.assertLess(abs(thirds - 1 / 3).max(), 0.03)
+
+    def test_lognormal(self):
+        """By number and by mass: the share of particles below each diameter, and Hatch and Choate's relation of the medians."""
+        for shares, median in (("number", 1e-3), ("mass", 1e-3 * math.exp(3 * math.log(1.3) ** 2))):
+            _, diameter, centre = self.atoms("--lognormal", repr(median), 1.3, "--shares", shares, "--count", 3000, "--packing", 0.45)
+            # quantiles: the empirical distribution function is within 1/2 n of the true one, the KS distance at random is 0.025
+            distance = kstest(diameter, lognorm(math.log(1.3), scale=1e-3).cdf).statistic
+            self.assertLessEqual(distance, 0.5 / 3000 * (1 + 1e-6))
+            self.assert_apart(diameter, centre, math.pi / 6 * (diameter**3).sum() / (0.45 * 0.03 * 0.02))
+
+    def test_cuts(self):
+        _, diameter, _ = self.atoms("--lognormal", 1e-3, 1.5, "--cut", 8e-4, 1.5e-3, "--count", 2000, "--fill", 0.05)
+        self.assertGreater(diameter.min(), 8e-4)
+        self.assertLess(diameter.max(), 1.5e-3)
+        self.assertAlmostEqual(numpy.median(diameter), 1.0699e-3, delta=0.002e-3)  # the quantile midway between 0.2910 and 0.8413
+
+    def test_weights_of_each_size(self):
+        """Parcels of d W^(1/3); real numbers and mass are those of the table within a parcel."""
+        script = os.path.join(self.folder, "weights")
+        kind, diameter, centre = self.atoms("--sizes", "5e-4:0.9", "1e-3:0.1", "--count", 20000, "--weights", 27, 8, "--type-per-size",
+                                            "--types", 3, "--script", script, "--packing", 0.4)  # fmt: skip
+        self.assertEqual([int((kind == k).sum()) for k in (1, 2)], [667, 250])  # of 18,000 and 2,000
+        self.assertTrue(numpy.allclose(diameter, numpy.where(kind == 1, 1.5e-3, 2e-3), rtol=1e-12))
+        self.assert_apart(diameter, centre, 1)
+        with open(script, encoding="ascii") as file:
+            text = file.read()
+        for line in ("fix weights all property/atom weight scalar yes no no 27.0\nrun 0\n", "set type 1 property/atom weight 27.0\n",
+                     "set type 2 property/atom weight 8.0\n"):  # fmt: skip
+            self.assertIn(line, text)
+
+    def test_same_again_and_other_seed(self):
+        options = ("--sizes", "1e-3:1", "2e-3:1", "--count", 400, "--packing", 0.3)
+        first = self.bed(*options).text
+        self.assertEqual(first, self.bed(*options).text)
+        self.assertNotEqual(first, self.bed(*options, "--seed", 8).text)
+
+    def test_refuses(self):
+        rest = ("--count", 100, "--packing", 0.4)
+        for options, words in (
+            (("--sizes", "1e-3", *rest), "D:SHARE"),
+            (("--sizes", "1e-3:-1", "2e-3:1", *rest), "share of 0.001 m must be"),
+            (("--sizes", "1e-3:1", "1e-3:2", *rest), "twice"),
+            (("--sizes", "1e-3:1", "2e-3:1e-9", *rest), "none of 100 particles would be of 0.002 m"),
+            (("--lognormal", 1e-3, 0.5, *rest), "geometric standard deviation"),
+            (("--lognormal", 1e-3, 1.1, "--cut", 5e-3, 6e-3, *rest), "leave nothing"),
+            (("--lognormal", 1e-3, 1.1, "--weights", 2, 3, *rest), "one weight"),
+            (("--sizes", "1e-3:1", "2e-3:1", "--weights", 2, 3, *rest), "type of their own"),
+            (("--sizes", "1e-3:1", "2e-3:1", "--weights", 0.5, *rest), "weight counts real"),
+            (("--sizes", "1e-3:1", "2e-3:1", "--jitter", 0.5, *rest), "--jitter"),
+            (("--sizes", "1e-3:1", "2e-3:1", "--count", 100, "--packing", 0.8), "packing of 0.8"),
+            (("--sizes", "1e-3:1", "2e-3:1", "--count", 1000000, "--packing", 0.4), "m high"),
+            (("--sizes", "1e-3:1", "--diameter", 1e-3, *rest), "not allowed with"),
+            (("--diameter", 1e-3, "--weights", 2, *rest), "mixed beds"),
+        ):
+            with self.subTest(options=options):
+                self.assertIn(words, self.refused(*options))
+
+
 @unittest.skipUnless(shutil.which("liggghts"), "needs the liggghts binary")
 class ReadByLiggghts(WithBed):
-    def test_liggghts_reads_it(self):
-        """Mass and heights as LIGGGHTS reads them: the columns are in the order it expects."""
-        self.bed("--count", 500, "--packing", 0.3)
+    def read_by_liggghts(self):
+        """Mass [kg] and height of its centre [m]."""
         script = os.path.join(self.folder, "in")
         with open(script, "w", encoding="ascii") as file:
             file.write(
@@ -174,7 +271,20 @@ class ReadByLiggghts(WithBed):
         )
         words = [line.split() for line in run.stdout.splitlines() if line.startswith("mass ")]
         self.assertTrue(words, run.stdout + run.stderr)
-        mass, centre = float(words[-1][1]), float(words[-1][3])
+        return float(words[-1][1]), float(words[-1][3])
+
+    def test_liggghts_reads_a_mixture(self):
+        """Its mass is that of the particles asked for, to round-off."""
+        command = [BED, "--sizes", "1e-3:0.7", "2e-3:0.3", "--count", "300", "--packing", "0.3", "--density", "2500", "--box", "0", "0.02",
+                   "0", "0.02", "0", "0.1", "--out", self.path]  # fmt: skip
+        subprocess.run(command, check=True, capture_output=True)
+        mass, _ = self.read_by_liggghts()
+        self.assertAlmostEqual(mass / (2500 * math.pi / 6 * (210 * 1e-9 + 90 * 8e-9)), 1, delta=1e-9)
+
+    def test_liggghts_reads_it(self):
+        """Mass and heights as LIGGGHTS reads them: the columns are in the order it expects."""
+        self.bed("--count", 500, "--packing", 0.3)
+        mass, centre = self.read_by_liggghts()
         self.assertAlmostEqual(mass / (500 * 1131 * math.pi / 6 * 6.512e-3**3), 1, delta=1e-9)
         heights = [z for _, _, z in Bed(self.path).centres]
         self.assertAlmostEqual(centre, sum(heights) / 500, delta=1e-9)

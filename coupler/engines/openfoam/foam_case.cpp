@@ -23,6 +23,7 @@
 #include "engines/openfoam/foam_errors.hpp"
 #include "engines/openfoam/frozen_gas.hpp"
 #include "engines/openfoam/function_objects.hpp"
+#include "engines/openfoam/listening_output.hpp"
 #include "engines/openfoam/patch_conditions.hpp"
 #include "engines/openfoam/pimple_gas.hpp"
 #include "engines/openfoam/unsolved_files.hpp"
@@ -33,20 +34,30 @@ namespace interphase {
 
 namespace {
 
-/// What OpenFOAM prints on the first rank goes to a file: the terminal is for the run's progress.
+/// What OpenFOAM prints on the first rank goes to a file: the terminal is for the run's progress. Warnings are heard on
+/// all.
 class OutputToLog {
 public:
     explicit OutputToLog(bool first_rank) : console_(std::cout.rdbuf())
     {
-        if (first_rank) file_.open("log.openfoam");
-        std::cout.rdbuf(file_.rdbuf());
+        if (first_rank) file_.open(warnings_.log());
+        output_.emplace(first_rank ? file_.rdbuf() : nullptr, warnings_);
+        std::cout.rdbuf(&*output_);
     }
     ~OutputToLog() { std::cout.rdbuf(console_); }
 
     void flush() { file_.flush(); }
 
+    EngineWarnings& warnings()
+    {
+        output_->finish_warning();
+        return warnings_;
+    }
+
 private:
+    EngineWarnings warnings_{"OpenFOAM", "log.openfoam"};
     std::ofstream file_;
+    std::optional<ListeningOutput> output_;
     std::streambuf* console_;
 };
 
@@ -230,6 +241,8 @@ void FoamCase::write()
     with_foam_errors([&] { parts_->time->writeNow(); });
     parts_->output->flush();
 }
+
+EngineWarnings* FoamCase::warnings() { return &parts_->output->warnings(); }
 
 void FoamCase::with_own_errors(const std::function<void()>& body) const
 {

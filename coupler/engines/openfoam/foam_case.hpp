@@ -38,6 +38,7 @@ public:
     bool write_due() const override;  ///< by writeControl and writeInterval
     void write() override;
 
+    EngineWarnings* warnings() override;
     void with_own_errors(const std::function<void()>& body) const override;
 
 private:

@@ -198,8 +198,9 @@ class BadInput(support.ProgramTest):
         self.ended(r"coefficientRestitution is 1\.5", e=1.5)
 
     def test_company(self):
-        self.ended("fix other .nve/sphere. does, too", integrator="fix other all nve/sphere\nfix move all mp_pic\n")
-        self.ended("two fixes want|does, too", integrator="fix other all mp_pic\nfix move all mp_pic\n")
+        self.ended(r"fix other \(nve/sphere, of group all\) and fix move \(mp_pic, of group all\) both move the same particles",
+                   integrator="fix other all nve/sphere\nfix move all mp_pic\n")
+        self.ended("both move the same particles", integrator="fix other all mp_pic\nfix move all mp_pic\n")
         self.ended("there is no fix mp_pic that heeds this wall|no fix", integrator="fix move all nve/sphere\n")
 
     def test_without_a_gas(self):

@@ -13,6 +13,7 @@
 #include "engines/liggghts/solids/pair_property.hpp"
 #include "force.h"
 #include "lammps.h"
+#include "pair_gran.h"
 
 namespace interphase {
 
@@ -38,7 +39,11 @@ public:
           restitution_(lmp.force->pair ? nullptr : pair_property(lmp, "coefficientRestitution")),
           absolute_(pair_property(lmp, "gamman_abs")),
           per_mass_(pair_property(lmp, "gamman"))
-    {}
+    {
+        // of others kn is no spring [N/m], and contacts last shorter the faster they are
+        auto* pair = dynamic_cast<LAMMPS_NS::PairGran*>(lmp.force->pair);
+        if (pair && !pair->contact_match("normal", "hooke/stiffness")) stiffness_ = nullptr;
+    }
 
     bool is_known() const { return stiffness_ && (restitution_ || absolute_ || per_mass_); }
 

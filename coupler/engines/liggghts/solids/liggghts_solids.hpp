@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "engines/liggghts/plugins/plugin_loader.hpp"
+#include "engines/liggghts/script/last_words.hpp"
+#include "engines/liggghts/script/listening_screen.hpp"
 #include "run/particle_engine.hpp"
 
 namespace LAMMPS_NS {
@@ -25,6 +28,7 @@ public:
     ~LiggghtsSolids() override;
 
     std::optional<double> contact_duration() const override { return contact_duration_; }
+    std::optional<double> rayleigh_time() const override { return rayleigh_time_; }
     std::optional<double> step_limit() const override { return step_limit_; }
     std::string plugins() const override { return described(plugins_); }
     double largest_diameter() const override;
@@ -43,9 +47,18 @@ public:
 
     std::string version() const override;
 
+    std::vector<Problem> remarks() override;
+    std::vector<Count> counts() const override;
+    EngineWarnings* warnings() override;  ///< flushed
+
 private:
     void refuse_unusable_scene() const;
     void refuse_bodiless_particles() const;
+    void refuse_particles_moved_twice() const;
+    std::vector<Problem> remarks_on_scene();
+    std::optional<Problem> remark_on_unmoved();
+    std::optional<Problem> remark_on_fast_contacts();
+    bool has_fix(const char* start_of_style) const;
     void refuse_doubtful_collisions() const;
     bool is_of_plugin(const std::string& style) const;
     std::optional<double> ask_for_step_limit() const;
@@ -54,15 +67,19 @@ private:
 
     Communicator comm_;
     const Settings& settings_;
+    EngineWarnings warnings_{"LIGGGHTS", LastWords::log_name};
+    std::unique_ptr<ListeningScreen> screen_;
     LAMMPS_NS::LAMMPS* lmp_ = nullptr;
     FixFluid* fluid_ = nullptr;
     const LAMMPS_NS::Fix* weights_ = nullptr;  ///< the script's, or null: all have that of the settings
     std::vector<LoadedPlugin> plugins_;
-    std::optional<double> contact_duration_, step_limit_;
+    std::optional<double> contact_duration_, rayleigh_time_, step_limit_;
     SolidStress* solid_stress_ = nullptr;  ///< a fix's
     bool moves_come_first_ = false, takes_new_forces_ = false;
     Vector gravity_ = Vector::Zero();
     bool may_remove_ = false;
+    bool looked_at_ = false;                            ///< the scene, for remarks
+    long overlaps_ = 0, unmoved_ = 0, fast_steps_ = 0;  ///< at the start; at present; gas steps
 };
 
 }  // namespace interphase

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/communicator.hpp"
+
+namespace interphase {
+
+/// What an engine warns of, which it writes into its log only: each kind is to be told once, and all are counted.
+/// Warnings that differ in their numbers are of one kind.
+class EngineWarnings {
+public:
+    /// `engine`: its name; `log`: the file in which all of them stand.
+    EngineWarnings(std::string engine, std::string log) : engine_(std::move(engine)), log_(std::move(log)) {}
+
+    const std::string& engine() const { return engine_; }
+    const std::string& log() const { return log_; }
+
+    /// On this rank. White space at its ends and in rows counts as none.
+    void hear(const std::string& words);
+
+    /// The kinds that have come up on any rank since the last call, each as it was first heard. Collective.
+    std::vector<std::string> news(const Communicator& comm);
+
+    /// Those that have come up on this rank since the last call of news(), where not all ranks can be asked.
+    const std::vector<std::string>& own_news() const { return fresh_; }
+
+    /// How often a warning was heard so far, of all ranks. Collective.
+    long count(const Communicator& comm) const { return comm.sum(heard_); }
+
+private:
+    std::string engine_, log_;
+    std::vector<std::string> fresh_;  ///< of kinds that are not among the told
+    std::set<std::string> known_;     ///< kinds that are told, or fresh
+    std::set<std::string> told_;      ///< the same on all ranks
+    long heard_ = 0;
+};
+
+}  // namespace interphase
