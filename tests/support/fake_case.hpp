@@ -127,7 +127,8 @@ public:
     void start(double solid_step, long, bool) override { points_ = PointParticles(comm_, mine_, gravity_, solid_step); }
     ParticleView particles() override { return points_.particles(); }
     Vector gravity() const override { return gravity_; }
-    bool may_remove_particles() const override { return false; }
+    const std::vector<Departure>& departures() const override { return points_.departures(); }
+    const std::vector<std::size_t>& arrivals() const override { return points_.arrivals(); }
     void advance(int substeps) override
     {
         advances.push_back(substeps);

@@ -15,6 +15,7 @@
 #include "engines/liggghts/solids/contact_check.hpp"
 #include "engines/liggghts/solids/contact_duration.hpp"
 #include "engines/liggghts/solids/fix_fluid.hpp"
+#include "engines/liggghts/solids/fix_population.hpp"
 #include "engines/liggghts/solids/weight_property.hpp"
 #include "fix_gravity.h"
 #include "force.h"
@@ -30,7 +31,17 @@ namespace interphase {
 
 namespace {
 
-LAMMPS_NS::Fix* create_fix_fluid(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) { return new FixFluid(lmp, narg, arg); }
+/// Adds a fix of the coupler's own for all particles.
+template <class Own>
+Own* add_fix(LAMMPS_NS::LAMMPS& lmp, const std::string& id)
+{
+    const FixCreator create = [](LAMMPS_NS::LAMMPS* of, int narg, char** arg) -> LAMMPS_NS::Fix* {
+        return new Own(of, narg, arg);
+    };
+    register_fix_style(*lmp.modify, Own::style_name, create);
+    lammps_command(&lmp, ("fix " + id + " all " + Own::style_name).c_str());
+    return dynamic_cast<Own*>(lmp.modify->find_fix_id(id.c_str()));
+}
 
 }  // namespace
 
@@ -207,13 +218,8 @@ void LiggghtsSolids::start(double solid_step, long steps, bool with_gas)
     std::snprintf(command, sizeof command, "timestep %.17g", solid_step);
     lammps_command(lmp_, command);
 
-    if (with_gas) {
-        register_fix_style(*lmp_->modify, FixFluid::style_name, create_fix_fluid);
-        lammps_command(lmp_, (std::string("fix interphase all ") + FixFluid::style_name).c_str());
-        fluid_ = dynamic_cast<FixFluid*>(lmp_->modify->find_fix_id("interphase"));
-    }
-    for (const char* style : {"massflow/mesh", "remove", "evaporate"})
-        may_remove_ = may_remove_ || lmp_->modify->find_fix_style(style, 0);
+    population_ = add_fix<FixPopulation>(*lmp_, "interphase_population");
+    if (with_gas) fluid_ = add_fix<FixFluid>(*lmp_, "interphase");  // the last one: it answers to all other forces
 
     // what `run` does before its loop, so that the loop can be continued at any length without setting up again
     LAMMPS_NS::Update& update = *lmp_->update;
@@ -222,8 +228,15 @@ void LiggghtsSolids::start(double solid_step, long steps, bool with_gas)
     update.firststep = update.beginstep = update.ntimestep;
     update.laststep = update.endstep = update.ntimestep + steps;
     lmp_->init();
+    population_->watch(fluid_);
+    const long before = comm_.sum(static_cast<long>(lmp_->atom->nlocal));
     update.integrate->setup();
     lmp_->timer->init();
+    const long lost = before - comm_.sum(static_cast<long>(lmp_->atom->nlocal));
+    if (lost > 0)
+        throw UserError(std::to_string(lost) + " of " + std::to_string(before) +
+                            " particles are outside of the particles' domain at the start, where LIGGGHTS drops them",
+                        settings_.script, "place them inside the box of create_box or read_data, or make it larger");
 
     if (auto* fix = dynamic_cast<LAMMPS_NS::FixGravity*>(lmp_->modify->find_fix_style("gravity", 0)))
         fix->get_gravity(gravity_.data());
@@ -267,8 +280,14 @@ void LiggghtsSolids::kick_again(std::size_t i, const Vector& velocity, const Vec
 void LiggghtsSolids::advance(int substeps)
 {
     const LastWords of_liggghts(comm_.is_master());
+    population_->begin();
     lmp_->update->integrate->run(substeps);
+    population_->settle();
 }
+
+const std::vector<Departure>& LiggghtsSolids::departures() const { return population_->departures(); }
+
+const std::vector<std::size_t>& LiggghtsSolids::arrivals() const { return population_->arrivals(); }
 
 std::string LiggghtsSolids::version() const
 {

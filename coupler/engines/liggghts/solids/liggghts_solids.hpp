@@ -15,6 +15,7 @@ class LAMMPS;
 namespace interphase {
 
 class FixFluid;
+class FixPopulation;
 
 /// LIGGGHTS, unmodified, as the engine of the particles.
 class LiggghtsSolids : public ParticleEngine {
@@ -34,7 +35,8 @@ public:
     ParticleView particles() override;
     Vector gravity() const override { return gravity_; }
     PeriodicBox periods() const override;
-    bool may_remove_particles() const override { return may_remove_; }
+    const std::vector<Departure>& departures() const override;
+    const std::vector<std::size_t>& arrivals() const override;
     bool kicks_before_moving() const override { return !moves_come_first_; }
     bool takes_new_forces() const override { return takes_new_forces_; }
     void kick_again(std::size_t i, const Vector& velocity, const Vector& force) override;
@@ -56,13 +58,13 @@ private:
     const Settings& settings_;
     LAMMPS_NS::LAMMPS* lmp_ = nullptr;
     FixFluid* fluid_ = nullptr;
+    FixPopulation* population_ = nullptr;
     const LAMMPS_NS::Fix* weights_ = nullptr;  ///< the script's, or null: all have that of the settings
     std::vector<LoadedPlugin> plugins_;
     std::optional<double> contact_duration_, step_limit_;
     SolidStress* solid_stress_ = nullptr;  ///< a fix's
     bool moves_come_first_ = false, takes_new_forces_ = false;
     Vector gravity_ = Vector::Zero();
-    bool may_remove_ = false;
 };
 
 }  // namespace interphase
