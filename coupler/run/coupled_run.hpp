@@ -33,6 +33,8 @@ private:
     void check_given_step() const;
     double longest_solid_step() const;
     void describe_run();
+    void describe_population();
+    PopulationTotals came_and_went() const;
     void step();
     double wanted_gas_step() const;
     void record(bool snapshot);
@@ -53,6 +55,7 @@ private:
     std::optional<RecordSchedule> rows_, own_snapshots_;  ///< the latter where snapshots do not follow the fields
     double gas_step_ = 0;
     Population at_start_;
+    std::optional<PopulationWatch> without_gas_;  ///< where no coupling step counts who comes and goes
 };
 
 }  // namespace interphase

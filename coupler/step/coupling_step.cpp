@@ -46,6 +46,8 @@ std::string CouplingStep::mapping_description()
     Scalars volumes;
     for (std::size_t i = 0; i < particles.size(); ++i)
         volumes.push_back(sphere_volume(particles.radius[static_cast<Eigen::Index>(i)]));
+    for (const double radius : solids_.radii_to_come())
+        volumes.push_back(sphere_volume(radius));
     std::string words = mapping_.description(volumes);
     // where in such a cell a sphere is decides how far it sees itself (forces/self_disturbance/README.md)
     if (settings_.two_way && settings_.self_disturbance && mapping_.has_cells_of(0, 3))

@@ -36,7 +36,7 @@ public:
     /// outside the mesh, a packing cannot be relieved, a value is not finite or a weight below 1. Collective.
     void advance(double dt, int substeps);
 
-    /// How the particles that are there are mapped to cells, in words. Collective.
+    /// How the particles that are there, and those to come, are mapped to cells, in words. Collective.
     std::string mapping_description();
 
     const Ledger& ledger() const { return ledger_; }

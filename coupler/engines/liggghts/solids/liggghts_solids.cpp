@@ -70,8 +70,9 @@ LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& setting
 
     refuse_unusable_scene();
     weights_ = weight_property(*lmp_, settings.script);
+    to_come_ = spheres_to_come(*lmp_);
     if (settings.method != Method::mp_pic && (lmp_->force->pair || !resolves_contacts(settings.method)))
-        contact_duration_ = shortest_contact(*lmp_);
+        contact_duration_ = shortest_contact(*lmp_, to_come_);
     step_limit_ = ask_for_step_limit();
     solid_stress_ = ask_for_solid_stress();
     moves_come_first_ = any_plugin_says(extract_moves_before_forces);
@@ -200,6 +201,8 @@ double LiggghtsSolids::largest_diameter() const
     double radius = 0;
     for (int i = 0; i < lmp_->atom->nlocal; ++i)
         radius = std::max(radius, lmp_->atom->radius[i]);
+    for (const SpheresToCome& spheres : to_come_)
+        radius = std::max(radius, spheres.largest_radius);
     return 2 * comm_.max(radius);
 }
 
@@ -208,6 +211,8 @@ double LiggghtsSolids::smallest_diameter() const
     double radius = std::numeric_limits<double>::max();
     for (int i = 0; i < lmp_->atom->nlocal; ++i)
         radius = std::min(radius, lmp_->atom->radius[i]);
+    for (const SpheresToCome& spheres : to_come_)
+        radius = std::min(radius, spheres.smallest_radius);
     return 2 * comm_.min(radius);
 }
 
@@ -283,6 +288,29 @@ void LiggghtsSolids::advance(int substeps)
     population_->begin();
     lmp_->update->integrate->run(substeps);
     population_->settle();
+    refuse_faster_contacts();
+}
+
+void LiggghtsSolids::refuse_faster_contacts() const
+{
+    // of what came by other ways than the fixes insert/* that the step was chosen for
+    if (!contact_duration_ || !comm_.any(!population_->arrivals().empty())) return;
+    constexpr double slack = 1 - 1e-6;
+    const std::optional<double> now = shortest_contact(*lmp_, {});
+    if (!now || *now >= *contact_duration_ * slack) return;
+    throw UserError("particles were inserted whose collisions last " + text(*now) + " s, less than the " +
+                        text(*contact_duration_) + " s for which the solid step was chosen",
+                    settings_.script,
+                    "let fixes insert/* of the script make them, whose templates are known at the start, or give "
+                    "`solidStep` for them and a first one of their kind in the script");
+}
+
+Scalars LiggghtsSolids::radii_to_come() const
+{
+    Scalars radii;
+    for (const SpheresToCome& spheres : to_come_)
+        radii.insert(radii.end(), {spheres.smallest_radius, spheres.largest_radius});
+    return radii;
 }
 
 const std::vector<Departure>& LiggghtsSolids::departures() const { return population_->departures(); }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engines/liggghts/plugins/plugin_loader.hpp"
+#include "engines/liggghts/solids/insertions.hpp"
 #include "run/particle_engine.hpp"
 
 namespace LAMMPS_NS {
@@ -37,6 +38,7 @@ public:
     PeriodicBox periods() const override;
     const std::vector<Departure>& departures() const override;
     const std::vector<std::size_t>& arrivals() const override;
+    Scalars radii_to_come() const override;
     bool kicks_before_moving() const override { return !moves_come_first_; }
     bool takes_new_forces() const override { return takes_new_forces_; }
     void kick_again(std::size_t i, const Vector& velocity, const Vector& force) override;
@@ -53,6 +55,7 @@ private:
     std::optional<double> ask_for_step_limit() const;
     SolidStress* ask_for_solid_stress() const;
     bool any_plugin_says(const char* what) const;
+    void refuse_faster_contacts() const;
 
     Communicator comm_;
     const Settings& settings_;
@@ -61,6 +64,7 @@ private:
     FixPopulation* population_ = nullptr;
     const LAMMPS_NS::Fix* weights_ = nullptr;  ///< the script's, or null: all have that of the settings
     std::vector<LoadedPlugin> plugins_;
+    std::vector<SpheresToCome> to_come_;  ///< at the start
     std::optional<double> contact_duration_, step_limit_;
     SolidStress* solid_stress_ = nullptr;  ///< a fix's
     bool moves_come_first_ = false, takes_new_forces_ = false;
