@@ -81,4 +81,5 @@ def case(root, particles="", fixes="", boundary="f f f", box=None, walls=("left"
 def prepared(test, folder, method, ranks=1, until=0.05, **settings):
     """That case, meshed and cut into parts."""
     numbers = {"width": WIDTH, "depth": DEPTH, "height": HEIGHT, "diameter": DIAMETER, "weight": 1, "inletVelocity": 0.8, "method": method}
-    return test.prepared(folder, f"run{ranks}{method}", ranks, until=until, **{**numbers, **settings})
+    run = os.path.join(os.path.dirname(folder), f"run-{method}-{ranks}")
+    return test.prepare(folder, run, ranks, until=until, **{**numbers, **settings})

@@ -68,14 +68,16 @@ void FixPopulation::watch(FixFluid* fluid)
         else
             order.push_back(list[n]);
     }
-    std::vector<int> with_turns{own};
-    turns_.clear();
+    std::vector<int> with_turns;
+    watched_.clear();
     for (const int n : order) {
-        with_turns.push_back(n);
         const LAMMPS_NS::Fix& fix = *modify->fix[n];
-        if (only_keeps_or_inserts(fix)) continue;
-        with_turns.push_back(own);
-        turns_.push_back(starts_with(fix.style, "massflow/mesh") ? Exit::mesh : Exit::script);
+        if (only_keeps_or_inserts(fix)) {
+            with_turns.push_back(n);
+            continue;
+        }
+        with_turns.insert(with_turns.end(), {own, n, own});
+        watched_.push_back(starts_with(fix.style, "massflow/mesh") ? Exit::mesh : Exit::script);
     }
     delete[] list;
     list = new int[with_turns.size()];
@@ -95,13 +97,12 @@ void FixPopulation::begin()
 
 void FixPopulation::pre_exchange()
 {
-    if (turns_.empty()) return;
     if (last_step_ != update->ntimestep) turn_ = 0;
     last_step_ = update->ntimestep;
-    if (turn_ > 0 && turn_ <= turns_.size() && index(atom->nlocal) < remembered_.size())
-        find_deleted(turns_[turn_ - 1]);
-    // what was inserted since the turn before is deleted by nobody until the next one
-    if (turn_ < turns_.size()) remember_all();
+    if (turn_ % 2 == 0)
+        remember_all();
+    else
+        find_deleted(watched_.at(turn_ / 2));
     ++turn_;
 }
 
@@ -132,6 +133,7 @@ void FixPopulation::remember_all()
 
 void FixPopulation::find_deleted(Exit exit)
 {
+    if (index(atom->nlocal) == remembered_.size()) return;
     std::unordered_set<int> there;  // of those that are not where they were
     for (int i = 0; i < atom->nlocal; ++i)
         if (atom->tag[i] != remembered_[index(i)].id) there.insert(atom->tag[i]);

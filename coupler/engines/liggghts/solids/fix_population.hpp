@@ -55,7 +55,7 @@ private:
 
     FixFluid* fluid_ = nullptr;
     std::vector<int> is_new_, hops_;  ///< of each particle
-    std::vector<Exit> turns_;         ///< of the fix before each turn of this one but the first; empty: none may delete
+    std::vector<Exit> watched_;       ///< of the fixes that may delete, each between two turns of this one
     std::size_t turn_ = 0;
     LAMMPS_NS::bigint last_step_ = -1;
     std::vector<Departure> remembered_;
