@@ -199,6 +199,9 @@ void CoupledRun::step()
             row.push_back({account->key() + "_residual", "1", account->residual()});
         for (const Count& count : coupling_->counts())
             row.push_back({count.key, "1", static_cast<double>(count.number)});
+        const Eigen::VectorXd& carried_off = coupling_->ledger().momentum.carried_off();
+        for (int axis = 0; axis < 3; ++axis)
+            row.push_back({std::string("carried_off_momentum_") + "xyz"[axis], "kg m/s", carried_off[axis]});
         add_passages(row, came_and_went());
         results_->add_row("/ledger", row);
     }
