@@ -288,11 +288,10 @@ void CouplingStep::book_solids(const ParticleView& particles)
 
 std::vector<Count> CouplingStep::counts() const
 {
-    std::vector<Count> all{
-        {"cells_relieved", "cells relieved at the packing limit", relieved_},
-        {"particles_outside_mesh", "particles without a gas cell", outside_},
-        {"centres_beyond_edge", "centres beyond a facet, in the nearest cell", beyond_edge_},
-        {"cells_pushed", "cells too full for what was inserted", pushed_}};
+    std::vector<Count> all{{"cells_relieved", "cells relieved at the packing limit", relieved_},
+                           {"particles_outside_mesh", "particles without a gas cell", outside_},
+                           {"centres_beyond_edge", "centres beyond a facet, in the nearest cell", beyond_edge_},
+                           {"cells_pushed", "cells too full for what was inserted", pushed_}};
     const auto add = [&all](const std::vector<Count>& more) { all.insert(all.end(), more.begin(), more.end()); };
     add(forces_.counts());
     if (settings_.two_way) add(watch_.counts());

@@ -54,24 +54,30 @@ set             type {kind} diameter {diameter!r} density {DENSITY!r}
     return lines, nx * ny * layers
 
 
-def case(root, particles="", fixes="", boundary="f f f", box=None, walls=("left", "right", "front", "back", "bottom", "top"), edits=()):
+WALLS = ("left", "right", "front", "back", "bottom", "top")
+
+
+def case(root, particles="", fixes="", boundary="f f f", box=None, walls=WALLS, edits=()):
     """A case folder below `root`. `particles`: script lines before contacts, `fixes`: after them; `box`: of the particles."""
     folder = os.path.join(root, "vessel")
-    shutil.copytree(os.path.join(support.SOURCE, "cases", "sscp1"), folder, ignore=shutil.ignore_patterns("*.png", "prepare", "README.md"))
+    others = shutil.ignore_patterns("*.png", "prepare", "README.md")
+    shutil.copytree(os.path.join(support.SOURCE, "cases", "sscp1"), folder, ignore=others)
     box = box or f"0 {WIDTH} 0 {DEPTH} 0 {HEIGHT}"
     support.write(
         os.path.join(folder, "dem/in.liggghts"),
-        HEAD.format(boundary=boundary, box=box) + particles + "include dem/scene.liggghts\ninclude dem/${method}.liggghts\n" + TAIL + fixes,
+        HEAD.format(boundary=boundary, box=box) + particles
+        + "include dem/scene.liggghts\ninclude dem/${method}.liggghts\n" + TAIL + fixes,
     )
     support.write(os.path.join(folder, "dem/scene.liggghts"), SCENE)
-    for name in ("left", "right", "front", "back", "bottom", "top"):
+    for name in WALLS:
         if name in walls:
             continue
         for file in ("soft_spheres", "hard_spheres", "MPPIC"):
             support.ProgramTest.edit(folder, f"dem/{file}.liggghts", rf"^fix {name} .*$", "")
     edit = support.ProgramTest.edit
     edit(folder, "system/blockMeshDict", r"\(16 4 85\)", CELLS)
-    edit(folder, "system/couplingDict", r"^    pressureTaps .*$", f"    pressureTaps (({WIDTH / 2} {DEPTH / 2} 0.003) ({WIDTH / 2} {DEPTH / 2} 0.093));")
+    low, high = (f"({WIDTH / 2} {DEPTH / 2} {z})" for z in (0.003, 0.093))
+    edit(folder, "system/couplingDict", r"^    pressureTaps .*$", f"    pressureTaps ({low} {high});")
     edit(folder, "system/couplingDict", r"interval            0.05;", f"interval {GAS_STEP};")
     for file, pattern, replacement in edits:
         edit(folder, file, pattern, replacement)
@@ -80,6 +86,7 @@ def case(root, particles="", fixes="", boundary="f f f", box=None, walls=("left"
 
 def prepared(test, folder, method, ranks=1, until=0.05, **settings):
     """That case, meshed and cut into parts."""
-    numbers = {"width": WIDTH, "depth": DEPTH, "height": HEIGHT, "diameter": DIAMETER, "weight": 1, "inletVelocity": 0.8, "method": method}
+    numbers = {"width": WIDTH, "depth": DEPTH, "height": HEIGHT, "diameter": DIAMETER, "weight": 1, "inletVelocity": 0.8}
+    numbers["method"] = method
     run = os.path.join(os.path.dirname(folder), f"run-{method}-{ranks}")
     return test.prepare(folder, run, ranks, until=until, **{**numbers, **settings})
