@@ -18,28 +18,26 @@ ExchangeAccount::ExchangeAccount(std::string key, std::string sides, std::string
 
 void ExchangeAccount::clear()
 {
-    for (Eigen::VectorXd* numbers :
-         {&step.given_by_gas, &step.taken_by_particles, &step.owed, &step.assumed_of_particles, &step.assumed_at_start})
+    for (Eigen::VectorXd* numbers : {&step.given_by_gas, &step.taken_by_particles, &step.owed, &step.carried_off})
         numbers->setZero(components_);
 }
 
 void ExchangeAccount::hand_in(Scalars& numbers) const
 {
-    for (const Eigen::VectorXd* part :
-         {&step.given_by_gas, &step.taken_by_particles, &step.owed, &step.assumed_of_particles, &step.assumed_at_start})
+    for (const Eigen::VectorXd* part : {&step.given_by_gas, &step.taken_by_particles, &step.owed, &step.carried_off})
         numbers.insert(numbers.end(), part->data(), part->data() + components_);
 }
 
-const double* ExchangeAccount::book(const double* sums, bool particles_left)
+const double* ExchangeAccount::book(const double* sums)
 {
     const auto part = [&](int n) { return Eigen::Map<const Eigen::VectorXd>(sums + n * components_, components_); };
     given_ += part(0);
     taken_ += part(1);
     owed_ = part(2);
-    if (particles_left) carried_off_ += part(4) - part(3);
+    carried_off_ += part(3);
     exchanged_ += part(0).norm();
     clear();
-    return sums + 5 * components_;
+    return sums + 4 * components_;
 }
 
 void ExchangeAccount::keep(Archive& archive)
@@ -62,7 +60,7 @@ void SharedAccount::hand_in(Scalars& numbers) const
     numbers.insert(numbers.end(), {step.in_cells, step.of_particles});
 }
 
-const double* SharedAccount::book(const double* sums, bool)
+const double* SharedAccount::book(const double* sums)
 {
     residual_ = sums[1] > 0 ? std::abs(sums[0] - sums[1]) / sums[1] : 0.0;
     step = {};
@@ -71,7 +69,7 @@ const double* SharedAccount::book(const double* sums, bool)
 
 void StockAccount::hand_in(Scalars& numbers) const { numbers.insert(numbers.end(), {step.content, step.in, step.out}); }
 
-const double* StockAccount::book(const double* sums, bool)
+const double* StockAccount::book(const double* sums)
 {
     const double content = sums[0], net_inflow = sums[1] - sums[2];
     expected_ = expected_ ? *expected_ + net_inflow : content;
@@ -80,7 +78,7 @@ const double* StockAccount::book(const double* sums, bool)
     return sums + 3;
 }
 
-void Ledger::book(bool particles_left)
+void Ledger::book()
 {
     Scalars sums;
     for (const Account* account : accounts())
@@ -88,7 +86,7 @@ void Ledger::book(bool particles_left)
     comm_.sum(sums);
     const double* next = sums.data();
     for (Account* account : all())
-        next = account->book(next, particles_left);
+        next = account->book(next);
 }
 
 }  // namespace interphase

@@ -28,7 +28,7 @@ public:
     /// The step's numbers, to be summed over the ranks.
     virtual void hand_in(Scalars& numbers) const = 0;
     /// Books their sums, and clears the step. Returns what follows them.
-    virtual const double* book(const double* sums, bool particles_left) = 0;
+    virtual const double* book(const double* sums) = 0;
 
     virtual void keep(Archive& archive) = 0;
 
@@ -43,21 +43,20 @@ public:
     ExchangeAccount(std::string key, std::string sides, std::string relative_to, int components);
 
     struct Step {
-        Eigen::VectorXd given_by_gas;          ///< from the cells' side
-        Eigen::VectorXd taken_by_particles;    ///< from the particles' side, summed over the substeps
-        Eigen::VectorXd owed;                  ///< taken less assumed: the next gas step's
-        Eigen::VectorXd assumed_of_particles;  ///< what the gas step assumed, of those still there at its end
-        Eigen::VectorXd assumed_at_start;      ///< and of all
+        Eigen::VectorXd given_by_gas;        ///< from the cells' side
+        Eigen::VectorXd taken_by_particles;  ///< from the particles' side, summed over the substeps: of all that took
+        Eigen::VectorXd owed;                ///< taken less assumed: the next gas step's
+        Eigen::VectorXd carried_off;         ///< assumed less taken, of particles that left
     } step;
 
     /// |given - (taken + carried off - owed)| over all steps, relative to the amount exchanged.
     double residual() const override;
     double exchanged() const { return exchanged_; }
-    /// With particles that were removed.
+    /// What the gas gave to particles that left, and they did not take.
     const Eigen::VectorXd& carried_off() const { return carried_off_; }
 
     void hand_in(Scalars& numbers) const override;
-    const double* book(const double* sums, bool particles_left) override;
+    const double* book(const double* sums) override;
 
     void keep(Archive& archive) override;
 
@@ -82,7 +81,7 @@ public:
     double residual() const override { return residual_; }
 
     void hand_in(Scalars& numbers) const override;
-    const double* book(const double* sums, bool particles_left) override;
+    const double* book(const double* sums) override;
 
     void keep(Archive& archive) override { archive.keep("residual", residual_); }
 
@@ -90,7 +89,7 @@ private:
     double residual_ = 0;
 };
 
-/// A content of the cells that changes by what crosses the boundary of the mesh only: the gas volume [m3].
+/// A content that changes by what comes and goes only: the gas volume of the cells, the volume of all solids [m3].
 class StockAccount : public Account {
 public:
     using Account::Account;
@@ -103,7 +102,7 @@ public:
     double residual() const override { return residual_; }
 
     void hand_in(Scalars& numbers) const override;
-    const double* book(const double* sums, bool particles_left) override;
+    const double* book(const double* sums) override;
 
     void keep(Archive& archive) override
     {
@@ -124,12 +123,12 @@ public:
     ExchangeAccount momentum{"momentum", "momentum, gas against particles", "of the impulse exchanged", 3};
     SharedAccount solid_volume{"volume", "solid volume, cells against particles", "of the total"};
     StockAccount gas_volume{"gas_volume", "gas volume, cells against boundary", "of the total"};
+    StockAccount solids{"solids", "solid volume, all particles against those that came and went", "of the total"};
 
-    std::vector<const Account*> accounts() const { return {&momentum, &solid_volume, &gas_volume}; }
+    std::vector<const Account*> accounts() const { return {&momentum, &solid_volume, &gas_volume, &solids}; }
 
-    /// Books the step that the accounts were told. `particles_left`: whether particles were removed during it; what the
-    /// gas gave to them counts as carried off. Collective.
-    void book(bool particles_left);
+    /// Books the step that the accounts were told. Collective.
+    void book();
 
     void keep(Archive& archive)
     {
@@ -138,7 +137,7 @@ public:
     }
 
 private:
-    std::vector<Account*> all() { return {&momentum, &solid_volume, &gas_volume}; }
+    std::vector<Account*> all() { return {&momentum, &solid_volume, &gas_volume, &solids}; }
 
     Communicator comm_;
 };

@@ -12,11 +12,13 @@ namespace interphase {
 /// along when particles change rank or place, as plain bytes; a new particle starts with the defaults.
 struct ParticleCoupling {
     CellAddress owner_cell;                 ///< gas cell that held the centre
+    CellAddress home;                       ///< rank that brought it to the gas last, and its number there
     double assumed_impulse[3] = {0, 0, 0};  ///< of drag and pressure, by the gas solve [kg m/s]
 
     // only what tells how far contacts held it in the last gas step, hence single precision
     float start_velocity[3] = {0, 0, 0};  ///< with which it began the gas step [m/s]
     float free_change[3] = {0, 0, 0};     ///< velocity change it would see without contacts [m/s]
+    bool was_outside = false;             ///< it has moved without gas since
     float response_time = 0;  ///< by which a constant acceleration changes its velocity; 0: nothing is known of it [s]
 };
 

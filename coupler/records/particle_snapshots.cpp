@@ -73,8 +73,13 @@ void ParticleSnapshots::write_xdmf(std::size_t particles, double time, bool with
     char stamp[64];
     std::snprintf(stamp, sizeof stamp, "%.12g", time);
     grids_ += std::string("<Grid Name=\"particles\" GridType=\"Uniform\"><Time Value=\"") + stamp + "\"/>\n" +
-              "<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"" + std::to_string(particles) + "\"/>\n" +
-              "<Geometry GeometryType=\"XYZ\">" + item(group, "position", particles, 3) + "</Geometry>\n";
+              "<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"" + std::to_string(particles) + "\"/>\n";
+    if (particles == 0) {  // ParaView's reader takes no array without rows, and a geometry without any
+        grids_ += "<Geometry GeometryType=\"XYZ\"/>\n</Grid>\n";
+        write_scene();
+        return;
+    }
+    grids_ += "<Geometry GeometryType=\"XYZ\">" + item(group, "position", particles, 3) + "</Geometry>\n";
     for (const char* name : {"velocity", "angular_velocity", "force"})
         grids_ += std::string("<Attribute Name=\"") + name + "\" AttributeType=\"Vector\" Center=\"Node\">" +
                   item(group, name, particles, 3) + "</Attribute>\n";
@@ -84,7 +89,11 @@ void ParticleSnapshots::write_xdmf(std::size_t particles, double time, bool with
         grids_ += std::string("<Attribute Name=\"") + name + "\" AttributeType=\"Scalar\" Center=\"Node\">" +
                   item(group, name, particles, 1) + "</Attribute>\n";
     grids_ += "</Grid>\n";
+    write_scene();
+}
 
+void ParticleSnapshots::write_scene() const
+{
     std::ofstream(scene_file) << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\"><Domain>\n"
                               << "<Grid Name=\"snapshots\" GridType=\"Collection\" CollectionType=\"Temporal\">\n"
                               << grids_ << "</Grid></Domain></Xdmf>\n";

@@ -27,6 +27,7 @@ public:
     void write(double time, const ParticleRows& rows);
 
 private:
+    void write_scene() const;
     void write_xdmf(std::size_t particles, double time, bool with_weights);
 
     Communicator comm_;

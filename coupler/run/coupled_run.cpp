@@ -28,6 +28,17 @@ const char* gas_description(const Settings& settings)
     return "";
 }
 
+/// Columns of what came and went: of each way the number, the volume and the momentum.
+void add_passages(std::vector<Results::Entry>& row, const PopulationTotals& totals)
+{
+    visit_passages(totals, [&row](const std::string& key, const std::string&, const Passage& passage) {
+        if (key.rfind("gas_", 0) != 0) row.push_back({key, "1", passage.particles});
+        row.push_back({key + "_volume", "m3", passage.volume});
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            row.push_back({key + "_momentum_" + "xyz"[axis], "kg m/s", passage.momentum[axis]});
+    });
+}
+
 ParticleRows rows_of(const ParticleView& particles)
 {
     const std::size_t n = particles.size();
@@ -58,6 +69,7 @@ CoupledRun::CoupledRun(GasCase& gas_case, const MakeParticleEngine& make_particl
     if (settings_.gas != GasModel::none) gas_ = case_.make_gas(settings_);
     solids_ = make_particles(comm_, settings_);
     at_start_ = counted(comm_, solids_->particles());
+    if (at_start_.tracked == 0) at_start_.lowest_weight = at_start_.highest_weight = settings_.weight;
     refuse_empty_scene();
     check_weights();
     clock_ = choose_clock();
@@ -73,7 +85,8 @@ CoupledRun::CoupledRun(GasCase& gas_case, const MakeParticleEngine& make_particl
                             "constant/g and " + settings_.script, "give both the same value");
         coupling_ = std::make_unique<CouplingStep>(comm_, settings_, *gas_, *solids_, stopwatch_);
         coupling_->start_at(case_.time());
-    }
+    } else
+        without_gas_.emplace(comm_, settings_);
     results_ = std::make_unique<Results>(comm_);
     snapshots_ = std::make_unique<ParticleSnapshots>(comm_);
     describe_run();
@@ -111,7 +124,7 @@ void CoupledRun::describe_run()
     report_.head({{"interphase", solids_->version() + ", " + case_.engine()},
                   {"case", case_.name()},
                   {"method", name_of(settings_.method)},
-                  {"particles", numbers_of(at_start_)},
+                  {"particles", numbers_of(at_start_, solids_->radii_to_come())},
                   {"plug-ins", solids_->plugins()},
                   {"gas", std::string(gas_description(settings_)) + (gas_ ? ", drag " + settings_.drag_law : "")},
                   {"mapping", coupling_ ? coupling_->mapping_description() : "none"},
@@ -124,27 +137,37 @@ void CoupledRun::describe_run()
     meta.describe("/meta", "case", case_.name());
     meta.describe("/meta", "method", name_of(settings_.method));
     meta.describe("/meta", "plugins", solids_->plugins());
-    meta.describe("/meta", "weight", at_start_.mean_weight());
-    meta.describe("/meta", "lowest_weight", at_start_.lowest_weight);
-    meta.describe("/meta", "highest_weight", at_start_.highest_weight);
     meta.describe("/meta", "ranks", comm_.size());
-    meta.describe("/meta", "particles", static_cast<double>(at_start_.tracked));
-    meta.describe("/meta", "real_particles", at_start_.real);
+    meta.describe("/meta", "particles_at_start", static_cast<double>(at_start_.tracked));
+    describe_population();
     meta.describe("/meta", "solid_step", clock_.solid_step());
     meta.describe("/meta", "gas_step", gas_step_);
     meta.describe("/meta", "drag_law", settings_.drag_law);
     const Version version = this_version();
     meta.describe("/meta", "versions", name_and_number(version) + ", " + solids_->version() + ", " + case_.engine());
     if (comm_.is_master()) record_provenance(meta, version, case_inputs(".", settings_.script, settings_.variables));
-    if (!gas_) return;
-    meta.describe_box("/meta", "domain", gas_->bounds());
-    const Vector g = gas_->gravity();
-    if (g.norm() == 0) return;
-    const Box box = gas_->bounds();
-    const double height = (box.col(1) - box.col(0)).cwiseAbs().dot(g.normalized().cwiseAbs());
+    if (gas_) meta.describe_box("/meta", "domain", gas_->bounds());
+}
+
+void CoupledRun::describe_population()
+{
     const ParticleView particles = solids_->particles();
-    meta.describe("/meta", "bed_weight_per_area",
-                  comm_.sum(particles.mass.sum()) * g.norm() * height / gas_->total_volume());
+    Population now = counted(comm_, particles);
+    if (now.tracked == 0) now = {0, 0, at_start_.lowest_weight, at_start_.highest_weight, 0, 0};
+    Results& meta = *results_;
+    const bool same = now.lowest_weight == now.highest_weight;
+    meta.describe("/meta", "weight", now.tracked > 0 || same ? now.mean_weight() : at_start_.mean_weight());
+    meta.describe("/meta", "lowest_weight", now.lowest_weight);
+    meta.describe("/meta", "highest_weight", now.highest_weight);
+    meta.describe("/meta", "particles", static_cast<double>(now.tracked));
+    meta.describe("/meta", "real_particles", now.real);
+    if (gas_ && gas_->gravity().norm() > 0)
+        meta.describe("/meta", "bed_weight_per_area", weight_per_area(*gas_, comm_.sum(particles.mass.sum())));
+}
+
+PopulationTotals CoupledRun::came_and_went() const
+{
+    return coupling_ ? coupling_->population() : without_gas_->of_all_ranks();
 }
 
 void CoupledRun::run()
@@ -188,8 +211,11 @@ void CoupledRun::step()
             throw UserError(problem);
         }
     } else {
+        without_gas_->remember(solids_->particles());
         stopwatch_.switch_to(Phase::solids);
         solids_->advance(planned.substeps);
+        stopwatch_.switch_to(Phase::exchange);
+        without_gas_->book(*solids_);
     }
 
     stopwatch_.switch_to(Phase::output);
@@ -201,6 +227,10 @@ void CoupledRun::step()
             row.push_back({account->key() + "_residual", "1", account->residual()});
         for (const Count& count : coupling_->counts())
             row.push_back({count.key, "1", static_cast<double>(count.number)});
+        const Eigen::VectorXd& carried_off = coupling_->ledger().momentum.carried_off();
+        for (int axis = 0; axis < 3; ++axis)
+            row.push_back({std::string("carried_off_momentum_") + "xyz"[axis], "kg m/s", carried_off[axis]});
+        add_passages(row, came_and_went());
         results_->add_row("/ledger", row);
     }
     record(false);
@@ -216,6 +246,9 @@ void CoupledRun::record(bool at_start)
     if (row_due || line_due || at_end) {
         last_seen_ =
             observe(comm_, *solids_, gas_.get(), coupling_ ? coupling_->voidage() : Scalars{}, settings_.pressure_taps);
+        const PopulationTotals totals = came_and_went();
+        last_seen_.came = totals.came();
+        last_seen_.went = totals.went();
         if (row_due && !at_start) results_->add_row("/series", last_seen_.row(now));
         if (line_due || at_end) report_.progress(now, last_seen_);
     }
@@ -227,6 +260,7 @@ void CoupledRun::record(bool at_start)
     if (own_snapshots_) own_snapshots_->pass(now, gas_step_);
     if (write_due && !at_start) {
         if (gas_) case_.write();
+        describe_population();
         results_->flush();
     }
 }
@@ -234,7 +268,7 @@ void CoupledRun::record(bool at_start)
 void CoupledRun::finish()
 {
     stopwatch_.switch_to(Phase::output);
-    Report::Summary summary{case_.time(), {}, {}, {}};
+    Report::Summary summary{case_.time(), {}, {}, came_and_went(), {}};
     for (std::size_t phase = 0; phase < phase_names.size(); ++phase) {
         summary.seconds[phase] = comm_.max(stopwatch_.seconds(static_cast<Phase>(phase)));
         results_->describe("/timing", std::string(phase_names[phase]), summary.seconds[phase]);
@@ -255,6 +289,7 @@ void CoupledRun::finish()
         results_->describe("/meta", key, static_cast<double>(count));
     }
     results_->describe("/meta", "simulated_time", case_.time());
+    describe_population();
     results_->describe("/meta", "wall_time", report_.wall_seconds());
     results_->flush();
     report_.summary(summary);

@@ -36,6 +36,8 @@ private:
     std::vector<EngineWarnings*> warners() const;
     void tell_warnings();
     void tell_own_warnings() const;
+    void describe_population();
+    PopulationTotals came_and_went() const;
     void step();
     double wanted_gas_step() const;
     void record(bool snapshot);
@@ -56,6 +58,7 @@ private:
     std::optional<RecordSchedule> rows_, own_snapshots_;  ///< the latter where snapshots do not follow the fields
     double gas_step_ = 0;
     Population at_start_;
+    std::optional<PopulationWatch> without_gas_;  ///< where no coupling step counts who comes and goes
 };
 
 }  // namespace interphase

@@ -76,8 +76,9 @@ double CoupledRun::longest_solid_step() const
 
 void CoupledRun::refuse_empty_scene() const
 {
-    if (at_start_.tracked == 0)
-        throw UserError("there are no particles", settings_.script, "create or read some in the script");
+    if (at_start_.tracked == 0 && solids_->radii_to_come().empty())
+        throw UserError("there are no particles, and none are to be inserted", settings_.script,
+                        "create or read some in the script, or insert them during the run (fix insert/*)");
 }
 
 void CoupledRun::check_weights() const
@@ -92,7 +93,7 @@ void CoupledRun::check_weights() const
                         where,
                         std::string("leave the property away, or take method ") +
                             (settings_.method == Method::dem ? "CGPM" : "CGHS"));
-    bool used = settings_.weight == 1;
+    bool used = settings_.weight == 1 || at_start_.tracked == 0;
     for (std::size_t i = 0; i < particles.size() && !used; ++i)
         used = particles.weight[i] == settings_.weight;
     if (!comm_.any(used))

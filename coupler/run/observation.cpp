@@ -9,13 +9,25 @@ std::vector<Results::Entry> Observation::row(double time) const
 {
     return {{"time", "s", time},
             {"particles", "1", static_cast<double>(particles)},
+            {"particles_in", "1", came},
+            {"particles_out", "1", went},
             {"kinetic_energy", "J", kinetic_energy},
             {"bed_height", "m", bed_height},
             {"vertical_velocity", "m/s", vertical_velocity},
             {"pressure_drop", "Pa", pressure_drop},
+            {"bed_weight_per_area", "Pa", bed_weight},
             {"lowest_voidage", "1", lowest_voidage},
             {"highest_voidage", "1", highest_voidage},
             {"courant_number", "1", courant_number}};
+}
+
+double weight_per_area(const CaseGas& gas, double mass)
+{
+    const Vector g = gas.gravity();
+    if (g.norm() == 0) return 0;
+    const Box box = gas.bounds();
+    const double height = (box.col(1) - box.col(0)).cwiseAbs().dot(g.normalized().cwiseAbs());
+    return mass * g.norm() * height / gas.total_volume();
 }
 
 Observation observe(const Communicator& comm, Solids& solids, const CaseGas* gas, const Scalars& voidage,
@@ -55,6 +67,7 @@ Observation observe(const Communicator& comm, Solids& solids, const CaseGas* gas
         seen.lowest_voidage = comm.min(least);
         seen.highest_voidage = comm.max(most);
         seen.courant_number = gas->courant_number();
+        seen.bed_weight = weight_per_area(*gas, sums[0]);
         if (pressure_taps.size() == 2)
             seen.pressure_drop = gas->pressure_at(pressure_taps[0]) - gas->pressure_at(pressure_taps[1]);
     }

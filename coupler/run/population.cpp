@@ -24,6 +24,7 @@ Population counted(const Communicator& comm, const ParticleView& particles)
         mine.smallest_diameter = std::min(mine.smallest_diameter, diameter);
         mine.largest_diameter = std::max(mine.largest_diameter, diameter);
     }
+    if (comm.sum(mine.tracked) == 0) return {};
     return {comm.sum(mine.tracked),           comm.sum(mine.real),
             comm.min(mine.lowest_weight),     comm.max(mine.highest_weight),
             comm.min(mine.smallest_diameter), comm.max(mine.largest_diameter)};
@@ -36,13 +37,20 @@ std::string weights_of(const Population& all)
                : "weights " + text(all.lowest_weight) + " to " + text(all.highest_weight);
 }
 
-std::string numbers_of(const Population& all)
+std::string numbers_of(const Population& all, const Scalars& radii_to_come)
 {
+    std::string to_come;
+    if (!radii_to_come.empty()) {
+        const auto [least, most] = std::minmax_element(radii_to_come.begin(), radii_to_come.end());
+        const std::string from = text(2 * *least), to = text(2 * *most);
+        to_come = "spheres of " + from + (from == to ? "" : " to " + to) + " m are to be inserted";
+    }
+    if (all.tracked == 0) return "none yet; " + to_come;
     char real[32];
     std::snprintf(real, sizeof real, "%.10g", all.real);
     const std::string smallest = text(all.smallest_diameter), largest = text(all.largest_diameter);
     return std::to_string(all.tracked) + " of " + weights_of(all) + ", for " + real + " real ones of " + smallest +
-           (smallest == largest ? "" : " to " + largest) + " m";
+           (smallest == largest ? "" : " to " + largest) + " m" + (to_come.empty() ? "" : "; " + to_come);
 }
 
 }  // namespace interphase

@@ -24,7 +24,7 @@ Population counted(const Communicator& comm, const ParticleView& particles);
 /// "weight 8", or "weights 1 to 27".
 std::string weights_of(const Population& all);
 
-/// "11875 of weight 8, for 95000 real ones of 0.003256 m".
-std::string numbers_of(const Population& all);
+/// "11875 of weight 8, for 95000 real ones of 0.003256 m", and what is said of spheres of radii still to come [m].
+std::string numbers_of(const Population& all, const Scalars& radii_to_come);
 
 }  // namespace interphase

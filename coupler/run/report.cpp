@@ -77,6 +77,18 @@ void Report::summary(const Summary& of) const
     for (const Account* account : of.balances)
         std::printf("    %s  %.1e %s\n", account->sides().c_str(), account->residual(), account->relative_to().c_str());
 
+    bool titled = false;
+    visit_passages(of.population, [&titled](const char*, const char* words, const Passage& passage) {
+        if (passage.particles == 0 && passage.volume == 0) return;
+        if (!titled)
+            std::printf(
+                "\n  came and went                                       particles  volume [m3]   momentum [kg m/s]\n");
+        titled = true;
+        const double(&p)[3] = passage.momentum;
+        std::printf("    %-50s %8.0f  %11.4g   (%.3g %.3g %.3g)\n", words, passage.particles, passage.volume, p[0],
+                    p[1], p[2]);
+    });
+
     if (!of.counts.empty()) std::printf("\n  counted\n");
     for (const Count& count : of.counts)
         std::printf("    %-38s %ld\n", count.text.c_str(), count.number);

@@ -6,6 +6,7 @@
 #include "base/stopwatch.hpp"
 #include "run/observation.hpp"
 #include "step/coupling_step.hpp"
+#include "step/population_totals.hpp"
 
 namespace interphase {
 
@@ -29,6 +30,7 @@ public:
         double simulated_time;
         std::array<double, phase_names.size()> seconds;  ///< the slowest rank's, phase by phase
         std::vector<const Account*> balances;            ///< of a run in which the particles act on the gas
+        PopulationTotals population;
         std::vector<Count> counts;
     };
     void summary(const Summary& of) const;

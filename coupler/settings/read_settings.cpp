@@ -165,10 +165,11 @@ void read_all(Reader& dict, Settings& settings, const std::filesystem::path& fol
     dict.names({"forces", "interphase terms beside drag and the pressure gradient"}, settings.forces,
                names_of_optional_terms());
     dict.block({"mapping", "between particles and gas cells"}, [&](Reader& block) { read_mapping(block, settings); });
-    dict.choice(
-        {"outsideMesh",
-         "what becomes of particles whose centre is in no gas cell: the run stops, or they move without gas, counted"},
-        settings.outside_mesh, {{"stop", OutsideMesh::stop}, {"ignore", OutsideMesh::ignore}});
+    dict.choice({"outsideMesh",
+                 "what becomes of particles whose centre is in no gas cell: the run stops, or they move without gas "
+                 "and may leave "
+                 "through the boundary of the particles' domain, counted"},
+                settings.outside_mesh, {{"stop", OutsideMesh::stop}, {"ignore", OutsideMesh::ignore}});
     dict.block({"records", "what is written to results.h5 and particles.h5"},
                [&](Reader& block) { read_records(block, settings); });
 }

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "base/sphere.hpp"
+
 namespace interphase {
 
 namespace {
@@ -12,8 +14,6 @@ double sum(const Scalars& terms)
 {
     return Eigen::Map<const Eigen::VectorXd>(terms.data(), static_cast<Eigen::Index>(terms.size())).sum();
 }
-
-double sphere_volume(double radius) { return 4.0 / 3.0 * M_PI * radius * radius * radius; }
 
 }  // namespace
 
@@ -30,7 +30,7 @@ CouplingStep::CouplingStep(const Communicator& comm, const Settings& settings, G
       forces_(settings, gas, mapping_, solids.gravity()),
       ledger_(comm),
       watch_(comm, gas, solids),
-      losses_(comm),
+      population_(comm, settings),
       stress_model_(solids.solid_stress()),
       periods_(solids.periods()),
       voidage_(gas.mesh().size(), 1.0),
@@ -46,6 +46,8 @@ std::string CouplingStep::mapping_description()
     Scalars volumes;
     for (std::size_t i = 0; i < particles.size(); ++i)
         volumes.push_back(sphere_volume(particles.radius[static_cast<Eigen::Index>(i)]));
+    for (const double radius : solids_.radii_to_come())
+        volumes.push_back(sphere_volume(radius));
     std::string words = mapping_.description(volumes);
     // where in such a cell a sphere is decides how far it sees itself (forces/self_disturbance/README.md)
     if (settings_.two_way && settings_.self_disturbance && mapping_.has_cells_of(0, 3))
@@ -91,7 +93,7 @@ void CouplingStep::bring_particles_to_their_cells()
     stopwatch_.switch_to(Phase::exchange);
     const ParticleView particles = solids_.particles();
     const std::size_t n = particles.size();
-    losses_.remember(particles);
+    population_.remember(particles);
 
     owner_cells_.resize(n);
     for (std::size_t i = 0; i < n; ++i)
@@ -100,9 +102,11 @@ void CouplingStep::bring_particles_to_their_cells()
     owner_cell_search_.update(images_of(particles), particles.radius, owner_cells_);
     beyond_edge_ += owner_cell_search_.beyond_edge();
     refuse_particles_outside(particles);
+    restore_gas_of_those_outside(particles);
     for (std::size_t i = 0; i < n; ++i)
         particles.coupling[i].owner_cell = owner_cells_[i];
     owner_exchange_.plan(owner_cells_);
+    note_newcomers(particles);
 
     const std::size_t travelling = owner_exchange_.order().size();
     travellers_.visitor.resize(travelling);
@@ -158,6 +162,8 @@ void CouplingStep::map_voidage()
     if (gas_volume_.empty())
         for (std::size_t c = 0; c < voidage_.size(); ++c)
             gas_volume_.push_back(voidage_[c] * gas_.mesh().volume[c]);
+    else
+        displace_gas_of_newcomers();
 
     ledger_.solid_volume.step = {sum(solid_volume_), sum(volumes_)};
 }
@@ -190,7 +196,7 @@ void CouplingStep::solve_gas(double dt)
     for (std::size_t c = 0; c < voidage_.size(); ++c)
         gas_volume_[c] -= outflow[c];
     const Crossing crossing = gas_.crossing();
-    ledger_.gas_volume.step = {sum(gas_volume_), crossing.in, crossing.out};
+    ledger_.gas_volume.step = {0, crossing.in, crossing.out};
 }
 
 void CouplingStep::return_gas_to_particles(double dt)
@@ -213,10 +219,6 @@ void CouplingStep::return_gas_to_particles(double dt)
     for (std::size_t t = 0; t < owner_exchange_.order().size(); ++t)
         take_home(particles, owner_exchange_.order()[t], answers_.arrived[t],
                   with_added_mass ? added_masses_.arrived[t].mass : 0.0, dt);
-    Vector assumed = Vector::Zero();
-    for (std::size_t i = 0; i < particles.size(); ++i)
-        assumed += to_vector(particles.coupling[i].assumed_impulse);
-    ledger_.momentum.step.assumed_at_start = assumed;
     if (stress_) stress_->begin(answers_.arrived, of_stress_.arrived, owner_exchange_.order(), particles.mass, dt);
 }
 
@@ -236,11 +238,16 @@ void CouplingStep::book()
     const ParticleView particles = solids_.particles();
     comm_.fail_together(trouble(particles));
 
-    const bool particles_left = losses_.particles_left(particles, solids_.may_remove_particles());
+    population_.book(solids_);
     if (!settings_.two_way) return;
+    restore_gas_of_departures();
+    ledger_.gas_volume.step.content = sum(gas_volume_);
+    ledger_.gas_volume.step.in += restored_;
+    ledger_.gas_volume.step.out += displaced_;
+    displaced_ = restored_ = 0;
 
     ExchangeAccount::Step& momentum = ledger_.momentum.step;
-    Vector taken = momentum.taken_by_particles, assumed = Vector::Zero(), owed = Vector::Zero();
+    Vector taken = momentum.taken_by_particles, owed = Vector::Zero();
     for (std::size_t i = 0; i < particles.size(); ++i) {
         if (stress_) {
             const double m = particles.mass[static_cast<Eigen::Index>(i)];
@@ -250,21 +257,41 @@ void CouplingStep::book()
         const Vector taken_here = solid_step_ * particles.booked_force(i);
         const Vector assumed_here = to_vector(particles.coupling[i].assumed_impulse);
         taken += taken_here;
-        assumed += assumed_here;
         owed += taken_here - assumed_here;
     }
+    Vector carried_off = Vector::Zero();
+    for (const Departure& departure : solids_.departures()) {
+        const Vector taken_there = solid_step_ * to_vector(departure.booked);
+        taken += taken_there;
+        carried_off += to_vector(departure.coupling.assumed_impulse) - taken_there;
+    }
     momentum.taken_by_particles = taken;
-    momentum.assumed_of_particles = assumed;
+    momentum.carried_off = carried_off;
     momentum.owed = owed;
-    ledger_.book(particles_left);
+    book_solids(particles);
+    ledger_.book();
+}
+
+void CouplingStep::book_solids(const ParticleView& particles)
+{
+    Scalars volumes;
+    volumes.reserve(particles.size());
+    for (std::size_t i = 0; i < particles.size(); ++i)
+        volumes.push_back(sphere_volume(particles.radius[static_cast<Eigen::Index>(i)]));
+    const PopulationTotals& now = population_.totals();
+    const double in = now.inserted.volume;
+    const double out = now.left_through_boundary.volume + now.deleted_by_mesh.volume + now.deleted_by_script.volume;
+    ledger_.solids.step = {sum(volumes), in - booked_in_, out - booked_out_};
+    booked_in_ = in;
+    booked_out_ = out;
 }
 
 std::vector<Count> CouplingStep::counts() const
 {
-    std::vector<Count> all{
-        {"cells_relieved", "cells relieved at the packing limit", relieved_},
-        {"particles_outside_mesh", "particles without a gas cell", outside_},
-        {"centres_beyond_edge", "centres beyond a facet, in the nearest cell", beyond_edge_}};
+    std::vector<Count> all{{"cells_relieved", "cells relieved at the packing limit", relieved_},
+                           {"particles_outside_mesh", "particles without a gas cell", outside_},
+                           {"centres_beyond_edge", "centres beyond a facet, in the nearest cell", beyond_edge_},
+                           {"cells_pushed", "cells too full for what was inserted", pushed_}};
     const auto add = [&all](const std::vector<Count>& more) { all.insert(all.end(), more.begin(), more.end()); };
     add(forces_.counts());
     if (settings_.two_way) add(watch_.counts());
@@ -290,13 +317,16 @@ void CouplingStep::keep(Archive& archive)
     archive.keep("forces", forces_);
     archive.keep("ledger", ledger_);
     archive.keep("watch", watch_);
-    archive.keep("losses", losses_);
+    archive.keep("population", population_);
     if (stress_) archive.keep("stress", *stress_);
     archive.keep("gas_volume", gas_volume_);
     archive.keep("inspected", inspected_);
     archive.keep("outside", outside_);
     archive.keep("beyond_edge", beyond_edge_);
     archive.keep("relieved", relieved_);
+    archive.keep("pushed", pushed_);
+    archive.keep("booked_in", booked_in_);
+    archive.keep("booked_out", booked_out_);
 }
 
 }  // namespace interphase

@@ -17,7 +17,7 @@
 #include "settings/settings.hpp"
 #include "step/gas.hpp"
 #include "step/interphase_forces.hpp"
-#include "step/loss_watch.hpp"
+#include "step/population_watch.hpp"
 #include "step/solids.hpp"
 #include "step/step_watch.hpp"
 #include "step/stress_exchange.hpp"
@@ -36,10 +36,12 @@ public:
     /// outside the mesh, a packing cannot be relieved, a value is not finite or a weight below 1. Collective.
     void advance(double dt, int substeps);
 
-    /// How the particles that are there are mapped to cells, in words. Collective.
+    /// How the particles that are there, and those to come, are mapped to cells, in words. Collective.
     std::string mapping_description();
 
     const Ledger& ledger() const { return ledger_; }
+    /// What came and went so far, on all ranks. Collective.
+    PopulationTotals population() const { return population_.of_all_ranks(); }
     const Scalars& voidage() const { return voidage_; }
     /// What the next gas step should not exceed, the same on all ranks [s]: what the solid stress bore in the last one
     /// (eq. 28 of the paper), and what the stability watch asks for.
@@ -68,6 +70,13 @@ private:
     void place_in_periods(const ParticleView& particles);
     VectorsView images_of(const ParticleView& particles) const;
     void bring_particles_to_their_cells();
+    void restore_gas_of_those_outside(const ParticleView& particles);
+    void restore_gas_of_departures();
+    void restore_gas(const std::vector<CellAddress>& homes);
+    void restore_gas_in(const std::vector<CellAddress>& cells, const Scalars& volumes);
+    void note_newcomers(const ParticleView& particles);
+    void displace_gas_of_newcomers();
+    std::vector<double> at_visitors(std::vector<double> of_travellers) const;
     void map_voidage();
     void map_solid_stress();
     void ask_for_forces(double dt);
@@ -76,6 +85,7 @@ private:
     void leave_without_gas(const ParticleView& particles, std::size_t i);
     void move_particles(int substeps);
     void book();
+    void book_solids(const ParticleView& particles);
 
     bool needs_solid_volume() const { return settings_.two_way || stress_; }
     bool asks_for_restraint() const { return settings_.two_way && long_step_; }
@@ -101,7 +111,7 @@ private:
     InterphaseForces forces_;
     Ledger ledger_;
     StepWatch watch_;
-    LossWatch losses_;
+    PopulationWatch population_;
     SolidStress* stress_model_;
     std::optional<StressExchange> stress_;  ///< of a model that wants it
 
@@ -118,13 +128,19 @@ private:
     Scalars voidage_;       ///< own cells
     Scalars solid_volume_;  ///< own cells [m3]
     Scalars gas_volume_;    ///< own cells, by what has flowed in and out [m3]
+    /// Of the particles with an owner cell: 1 where the gas did not have it in the last step.
+    std::vector<double> newcomers_;
+    double displaced_ = 0, restored_ = 0;  ///< gas volume that gave way, or came back, in this step [m3]
     Demand demand_;
     bool inspected_ = false;
+    bool knows_last_step_ = false;  ///< where it mapped whom; a run that goes on from saved state does not at first
     double solid_step_ = 0;
     bool long_step_ = true;     ///< so long for some particle that contacts and pressure change what it asks of the gas
     bool kicks_again_ = false;  ///< the solids begin this gas step with its own forces
     long outside_ = 0, beyond_edge_ = 0;
     long relieved_ = 0;
+    long pushed_ = 0;
+    double booked_in_ = 0, booked_out_ = 0;  ///< solid volume that came and went, as far as it is in the ledger [m3]
 };
 
 }  // namespace interphase

@@ -106,6 +106,7 @@ void CouplingStep::leave_without_gas(const ParticleView& particles, std::size_t 
     set(own.assumed_impulse, to_vector(own.assumed_impulse) - solid_step_ * particles.booked_force(i));
     std::fill_n(particles.booked + 3 * i, 3, 0.0);
     own.response_time = 0;
+    own.was_outside = true;
 }
 
 }  // namespace interphase

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "base/vector.hpp"
 #include "momentum/fluid_force.hpp"
 #include "momentum/particle_coupling.hpp"
 #include "plugin/solid_stress.hpp"
+#include "step/departure.hpp"
 #include "step/particle_weights.hpp"
 #include "step/periodic_box.hpp"
 
@@ -47,8 +50,13 @@ public:
     /// Sets velocity [m/s] and force [N] of particle `i`.
     virtual void kick_again(std::size_t /*i*/, const Vector& /*velocity*/, const Vector& /*force*/) {}
 
-    /// Whether the scene may remove particles on purpose (so that fewer are not a loss).
-    virtual bool may_remove_particles() const = 0;
+    /// The particles that left in the last advance(), each on one rank.
+    virtual const std::vector<Departure>& departures() const = 0;
+    /// Those that were made in it and are there now: their numbers on this rank, as particles() counts.
+    virtual const std::vector<std::size_t>& arrivals() const = 0;
+    /// Radii that particles still to be made will have, the smallest and the largest of each kind [m]; the same on all
+    /// ranks.
+    virtual Scalars radii_to_come() const { return {}; }
 
     /// The model that wants a stress of the solids on the gas mesh, or null.
     virtual SolidStress* solid_stress() { return nullptr; }

@@ -15,6 +15,7 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 
 import support  # noqa: E402
+import vessel  # noqa: E402
 
 READ_AND_RENDER = r"""
 import json, sys
@@ -50,6 +51,20 @@ Render(view)
 SaveScreenshot(picture, view)
 
 print("FOUND " + json.dumps(found))
+"""
+
+
+READ_TIMES = r"""
+import json, sys
+from paraview.simple import *
+particles = XDMFReader(FileNames=[sys.argv[1] + "/particles.xdmf"])
+particles.UpdatePipeline()
+seen = {}
+for time in particles.TimestepValues:
+    particles.UpdatePipeline(time)
+    seen[time] = particles.GetDataInformation().GetNumberOfPoints()
+arrays = sorted(particles.PointData.GetArray(i).Name for i in range(particles.PointData.GetNumberOfArrays()))
+print("FOUND " + json.dumps([seen, arrays]))
 """
 
 
@@ -101,6 +116,27 @@ class OpenedInParaView(support.ProgramTest):
         self.assertGreater(drawn, 0.1)
         self.assertLess(drawn, 0.6)
         self.assertGreater(len({tuple(p) for p in (pixels[::7, ::7].reshape(-1, 3) * 255).astype(int)}), 20)  # colours
+
+    def test_a_vessel_that_starts_empty(self):
+        kinds = (
+            f"fix one all particletemplate/sphere 15485863 atom_type 1 density constant 1131 radius constant {vessel.DIAMETER / 2}\n"
+            "fix kinds all particledistribution/discrete 32452843 1 one 1.0\nregion fill block 0.005 0.02 0.005 0.02 0.02 0.05 units box\n"
+            "fix pour all insert/pack seed 49979687 distributiontemplate kinds insert_every once overlapcheck yes all_in yes "
+            "vel constant 0 0 0 region fill particles_in_region 50\n"
+        )
+        done = self.run_case(vessel.prepared(self, vessel.case(self.root, fixes=kinds), "TDHS", until=0.002))
+        viewer = subprocess.run(
+            ["xvfb-run", "--server-num", str(100 + os.getpid() % 10000 + 7), "-s", "-screen 0 640x800x24 -noreset",
+             "/usr/bin/python3", "-c", READ_TIMES, done.folder],
+            env=support.environment(LIBGL_ALWAYS_SOFTWARE="1"), capture_output=True, text=True, timeout=300,
+        )
+        self.assertNotIn("Error", viewer.stdout + viewer.stderr)
+        self.assertNotIn("ERR|", viewer.stdout + viewer.stderr)
+        line = [line for line in viewer.stdout.splitlines() if line.startswith("FOUND ")]
+        self.assertTrue(line, viewer.stdout + viewer.stderr)
+        seen, arrays = json.loads(line[0][6:])
+        self.assertEqual(list(seen.values()), [0, 50])
+        self.assertEqual(arrays, ["angular_velocity", "diameter", "force", "id", "velocity"])
 
     def test_one_rank(self):
         self.check(1)

@@ -53,6 +53,8 @@ protected:
             auto made =
                 std::make_unique<FakeEngine>(comm, comm.is_master() ? all : std::vector<Particle>{}, particle_gravity);
             made->collision_time = collision_time;
+            made->to_come = to_come;
+            if (comm.is_master()) made->coming = coming;
             engine = made.get();
             return made;
         });
@@ -77,7 +79,8 @@ protected:
     Vector particle_gravity = the_case.gravity;
     std::optional<double> collision_time;
     double solid_step = 1e-3;
-    std::vector<Particle> all;
+    std::vector<Particle> all, coming;
+    Scalars to_come;
     FakeEngine* engine = nullptr;
     std::vector<int> advances;
 };
@@ -151,6 +154,30 @@ TEST_F(CoupledRunTest, RefusesAnEmptyScene)
 {
     all.clear();
     EXPECT_NE(refusal().find("there are no particles"), std::string::npos);
+}
+
+TEST_F(CoupledRunTest, StartsEmptyWhereParticlesAreToCome)
+{
+    all.clear();
+    to_come = {5e-4};
+    for (const char* model : {"pimple", "none"}) {
+        coming.assign(3, Particle{});
+        for (std::size_t n = 0; n < coming.size(); ++n) {
+            coming[n].id = static_cast<int>(n) + 1;
+            coming[n].position = Vector(0.5, 0.5, 1 + static_cast<double>(n));
+        }
+        says({{"gas", Block{{"model", model}}}, {"records", Block{{"interval", 0.02}}}});
+        the_case.now = 0;
+        run();
+        if (!world().is_master()) continue;
+        const OpenFile results("results.h5");
+        EXPECT_EQ(results.doubles("/series/particles").back(), 3);
+        EXPECT_EQ(results.doubles("/series/particles_in").back(), 3);
+        EXPECT_EQ(results.doubles("/series/particles_out").back(), 0);
+        EXPECT_EQ(results.attribute("/meta", "particles_at_start").at(0), 0);
+        EXPECT_EQ(results.attribute("/meta", "particles").at(0), 3);
+        EXPECT_EQ(results.attribute("/meta", "weight").at(0), 1);
+    }
 }
 
 TEST_F(CoupledRunTest, RefusesTwoGravities)

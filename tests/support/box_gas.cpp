@@ -19,6 +19,7 @@ BoxGas::BoxGas(const Communicator& comm, const BoxMesh& mesh, double density, do
 
 void BoxGas::solve(double dt, const Demand& demand)
 {
+    surplus_ = demand.surplus;
     if (held_) return;
     for (std::size_t c = 0; c < voidage_.size(); ++c)
         for (int axis = 0; axis < 3; ++axis) {

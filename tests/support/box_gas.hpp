@@ -58,6 +58,7 @@ public:
     double mass() const;      ///< Collective.
     double volume() const;    ///< Collective.
     const Scalars& voidage() const { return voidage_; }
+    const Scalars& surplus() const { return surplus_; }  ///< that the last step was asked for [n, 1/s]
 
 private:
     Communicator comm_;
@@ -66,7 +67,7 @@ private:
     double inertia_;
     bool held_ = false;
     Scalars velocity_;
-    Scalars voidage_;
+    Scalars voidage_, surplus_;
     Scalars velocity_gradient_, viscous_force_;
     Vector body_force_ = Vector::Zero();
     Vector gradient_ = Vector::Zero();

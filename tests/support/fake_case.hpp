@@ -116,7 +116,9 @@ public:
     {}
 
     std::optional<double> collision_time, limit;
-    std::vector<int> advances;  ///< substeps of each
+    Scalars to_come;               ///< radii [m]
+    std::vector<Particle> coming;  ///< on this rank, in the next advance()
+    std::vector<int> advances;     ///< substeps of each
 
     std::string version() const override { return "PointParticles 1"; }
     std::string plugins() const override { return "none"; }
@@ -127,15 +129,24 @@ public:
     void start(double solid_step, long, bool) override { points_ = PointParticles(comm_, mine_, gravity_, solid_step); }
     ParticleView particles() override { return points_.particles(); }
     Vector gravity() const override { return gravity_; }
-    bool may_remove_particles() const override { return false; }
+    const std::vector<Departure>& departures() const override { return points_.departures(); }
+    const std::vector<std::size_t>& arrivals() const override { return points_.arrivals(); }
+    Scalars radii_to_come() const override { return to_come; }
     void advance(int substeps) override
     {
         advances.push_back(substeps);
+        for (const Particle& particle : coming)
+            points_.insert_next(particle);
+        coming.clear();
         points_.advance(substeps);
     }
 
 private:
-    double diameter() const { return comm_.max(mine_.empty() ? 0.0 : mine_.front().diameter); }
+    double diameter() const
+    {
+        const double here = comm_.max(mine_.empty() ? 0.0 : mine_.front().diameter);
+        return here > 0 || to_come.empty() ? here : 2 * to_come.front();
+    }
 
     Communicator comm_;
     std::vector<Particle> mine_;

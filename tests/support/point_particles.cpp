@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/point_particles.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace interphase::test {
@@ -9,26 +10,30 @@ PointParticles::PointParticles(const Communicator& comm, const std::vector<Parti
                                double solid_step, SolidStress* stress)
     : comm_(comm), gravity_(gravity), solid_step_(solid_step), stress_(stress)
 {
-    const auto n = static_cast<Eigen::Index>(mine.size());
-    for (auto* field : {&position_, &velocity_, &spin_, &force_, &fluid_force_})
-        field->setZero(3, n);
-    radius_.resize(n);
-    mass_.resize(n);
-    weight_.resize(n);
-    for (std::size_t i = 0; i < mine.size(); ++i) {
-        const Particle& p = mine[i];
-        position_.col(column(i)) = p.position;
-        velocity_.col(column(i)) = p.velocity;
-        radius_[column(i)] = 0.5 * p.diameter;
-        mass_[column(i)] = p.density * M_PI / 6 * p.diameter * p.diameter * p.diameter;
-        weight_[column(i)] = p.weight;
-        if (!p.held) force_.col(column(i)) = mass_[column(i)] * gravity_;  // as LIGGGHTS's set-up leaves it
-        id_.push_back(p.id);
-        held_.push_back(p.held);
+    for (const Particle& particle : mine)
+        append(particle);
+}
+
+void PointParticles::append(const Particle& p)
+{
+    const std::size_t i = size();
+    for (auto* field : {&position_, &velocity_, &spin_, &force_, &fluid_force_}) {
+        field->conservativeResize(3, column(i + 1));
+        field->col(column(i)).setZero();
     }
-    fluid_.resize(mine.size());
-    booked_.assign(3 * mine.size(), 0.0);
-    coupling_.resize(mine.size());
+    for (auto* field : {&radius_, &mass_, &weight_})
+        field->conservativeResize(column(i + 1));
+    position_.col(column(i)) = p.position;
+    velocity_.col(column(i)) = p.velocity;
+    radius_[column(i)] = 0.5 * p.diameter;
+    mass_[column(i)] = p.density * M_PI / 6 * p.diameter * p.diameter * p.diameter;
+    weight_[column(i)] = p.weight;
+    if (!p.held) force_.col(column(i)) = mass_[column(i)] * gravity_;  // as LIGGGHTS's set-up leaves it
+    id_.push_back(p.id);
+    held_.push_back(p.held);
+    fluid_.emplace_back();
+    booked_.resize(3 * size(), 0.0);
+    coupling_.emplace_back();
 }
 
 ParticleView PointParticles::particles()
@@ -67,6 +72,15 @@ void PointParticles::add_forces(std::size_t i)
 
 void PointParticles::advance(int substeps)
 {
+    departures_.clear();
+    arrivals_.clear();
+    std::vector<int> made;
+    for (const Particle& particle : coming_) {
+        append(particle);
+        made.push_back(particle.id);
+    }
+    const auto was_made = [&made](int id) { return std::find(made.begin(), made.end(), id) != made.end(); };
+    coming_.clear();
     for (int step = 0; step < substeps; ++step)
         for (std::size_t i = 0; i < size(); ++i) {
             const auto c = column(i);
@@ -84,7 +98,27 @@ void PointParticles::advance(int substeps)
         if (breaks_position_) position_(2, column(i)) = std::nan("");
     }
     for (std::size_t i = size(); i-- > 0;)
-        if (id_[i] == doomed_) erase(i);
+        if (id_[i] == doomed_) {
+            if (may_remove_) departures_.push_back(departure_of(i));
+            if (may_remove_) departures_.back().is_new = was_made(id_[i]);
+            erase(i);
+        }
+    for (std::size_t i = 0; i < size(); ++i)
+        if (was_made(id_[i])) arrivals_.push_back(i);
+}
+
+Departure PointParticles::departure_of(std::size_t i) const
+{
+    Departure departure{};
+    departure.exit = exit_;
+    departure.id = id_[i];
+    set(departure.position, position_.col(column(i)));
+    set(departure.velocity, velocity_.col(column(i)));
+    departure.mass = mass_[column(i)];
+    departure.radius = radius_[column(i)];
+    set(departure.booked, Eigen::Map<const Vector>(&booked_[3 * i]));
+    departure.coupling = coupling_[i];
+    return departure;
 }
 
 void PointParticles::erase(std::size_t i)

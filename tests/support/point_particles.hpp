@@ -28,7 +28,8 @@ public:
 
     ParticleView particles() override;
     Vector gravity() const override { return gravity_; }
-    bool may_remove_particles() const override { return may_remove_; }
+    const std::vector<Departure>& departures() const override { return departures_; }
+    const std::vector<std::size_t>& arrivals() const override { return arrivals_; }
     SolidStress* solid_stress() override { return stress_; }
     void advance(int substeps) override;
 
@@ -39,8 +40,10 @@ public:
 
     void set_velocity(std::size_t i, const Vector& v) { velocity_.col(column(i)) = v; }
 
-    /// Lets the particle vanish at the end of the next advance().
+    /// Lets the particle vanish at the end of the next advance(): without a word, unless removal is allowed.
     void remove_next(int id) { doomed_ = id; }
+    /// Makes one on this rank in the next advance(), before its first substep.
+    void insert_next(const Particle& particle) { coming_.push_back(particle); }
     /// Lets the particle's velocity, and its position if asked, become not a number in the next advance().
     void break_next(int id, bool position_too)
     {
@@ -48,7 +51,11 @@ public:
         breaks_position_ = position_too;
     }
     void set_weight(std::size_t i, double weight) { weight_[column(i)] = weight; }
-    void allow_removal() { may_remove_ = true; }
+    void allow_removal(Exit exit = Exit::mesh)
+    {
+        may_remove_ = true;
+        exit_ = exit;
+    }
 
     /// Momentum of the particles that move, with the half kick of the fluid force that the next substep begins with, so
     /// that it holds the whole impulse taken [kg m/s]. Collective.
@@ -64,6 +71,8 @@ private:
     static Eigen::Index column(std::size_t i) { return static_cast<Eigen::Index>(i); }
     void add_forces(std::size_t i);
     void erase(std::size_t i);
+    void append(const Particle& particle);
+    Departure departure_of(std::size_t i) const;
 
     Communicator comm_;
     Vector gravity_;
@@ -81,6 +90,10 @@ private:
     int broken_ = -1;
     bool breaks_position_ = false;
     bool may_remove_ = false;
+    Exit exit_ = Exit::mesh;
+    std::vector<Particle> coming_;
+    std::vector<Departure> departures_;
+    std::vector<std::size_t> arrivals_;
 };
 
 }  // namespace interphase::test

@@ -19,13 +19,17 @@ namespace interphase {
 
 namespace {
 
-std::vector<double> lightest_of_each_type(LAMMPS_NS::LAMMPS& lmp)
+std::vector<double> lightest_of_each_type(LAMMPS_NS::LAMMPS& lmp, const std::vector<SpheresToCome>& to_come)
 {
     const LAMMPS_NS::Atom& atom = *lmp.atom;
     std::vector<double> lightest(static_cast<std::size_t>(atom.ntypes), std::numeric_limits<double>::max());
     for (int i = 0; i < atom.nlocal; ++i) {
         double& mass = lightest[static_cast<std::size_t>(atom.type[i] - 1)];
         mass = std::min(mass, atom.rmass[i]);
+    }
+    for (const SpheresToCome& spheres : to_come) {
+        double& mass = lightest.at(static_cast<std::size_t>(spheres.type - 1));
+        mass = std::min(mass, spheres.lightest());
     }
     MPI_Allreduce(MPI_IN_PLACE, lightest.data(), atom.ntypes, MPI_DOUBLE, MPI_MIN, lmp.world);
     return lightest;
@@ -69,12 +73,12 @@ private:
 
 }  // namespace
 
-std::optional<double> shortest_contact(LAMMPS_NS::LAMMPS& lmp)
+std::optional<double> shortest_contact(LAMMPS_NS::LAMMPS& lmp, const std::vector<SpheresToCome>& to_come)
 {
     const Contact contact(lmp);
     if (!contact.is_known()) return std::nullopt;
 
-    const std::vector<double> mass = lightest_of_each_type(lmp);
+    const std::vector<double> mass = lightest_of_each_type(lmp, to_come);
     constexpr double none = std::numeric_limits<double>::max();
     double shortest = none;
     for (int i = 0; i < lmp.atom->ntypes; ++i)

@@ -16,6 +16,7 @@
 #include "engines/liggghts/solids/contact_duration.hpp"
 #include "engines/liggghts/solids/elastic_spheres.hpp"
 #include "engines/liggghts/solids/fix_fluid.hpp"
+#include "engines/liggghts/solids/fix_population.hpp"
 #include "engines/liggghts/solids/independent_spheres.hpp"
 #include "engines/liggghts/solids/integrators.hpp"
 #include "engines/liggghts/solids/overlaps.hpp"
@@ -34,7 +35,17 @@ namespace interphase {
 
 namespace {
 
-LAMMPS_NS::Fix* create_fix_fluid(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) { return new FixFluid(lmp, narg, arg); }
+/// Adds a fix of the coupler's own for all particles.
+template <class Own>
+Own* add_fix(LAMMPS_NS::LAMMPS& lmp, const std::string& id)
+{
+    const FixCreator create = [](LAMMPS_NS::LAMMPS* of, int narg, char** arg) -> LAMMPS_NS::Fix* {
+        return new Own(of, narg, arg);
+    };
+    register_fix_style(*lmp.modify, Own::style_name, create);
+    lammps_command(&lmp, ("fix " + id + " all " + Own::style_name).c_str());
+    return dynamic_cast<Own*>(lmp.modify->find_fix_id(id.c_str()));
+}
 
 }  // namespace
 
@@ -64,8 +75,9 @@ LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& setting
 
     refuse_unusable_scene();
     weights_ = weight_property(*lmp_, settings.script);
+    to_come_ = spheres_to_come(*lmp_);
     if (settings.method != Method::mp_pic && (lmp_->force->pair || !resolves_contacts(settings.method)))
-        contact_duration_ = shortest_contact(*lmp_);
+        contact_duration_ = shortest_contact(*lmp_, to_come_);
     rayleigh_time_ = interphase::rayleigh_time(*lmp_);
     step_limit_ = ask_for_step_limit();
     solid_stress_ = ask_for_solid_stress();
@@ -307,6 +319,8 @@ double LiggghtsSolids::largest_diameter() const
     double radius = 0;
     for (int i = 0; i < lmp_->atom->nlocal; ++i)
         radius = std::max(radius, lmp_->atom->radius[i]);
+    for (const SpheresToCome& spheres : to_come_)
+        radius = std::max(radius, spheres.largest_radius);
     return 2 * comm_.max(radius);
 }
 
@@ -315,6 +329,8 @@ double LiggghtsSolids::smallest_diameter() const
     double radius = std::numeric_limits<double>::max();
     for (int i = 0; i < lmp_->atom->nlocal; ++i)
         radius = std::min(radius, lmp_->atom->radius[i]);
+    for (const SpheresToCome& spheres : to_come_)
+        radius = std::min(radius, spheres.smallest_radius);
     return 2 * comm_.min(radius);
 }
 
@@ -325,13 +341,8 @@ void LiggghtsSolids::start(double solid_step, long steps, bool with_gas)
     std::snprintf(command, sizeof command, "timestep %.17g", solid_step);
     lammps_command(lmp_, command);
 
-    if (with_gas) {
-        register_fix_style(*lmp_->modify, FixFluid::style_name, create_fix_fluid);
-        lammps_command(lmp_, (std::string("fix interphase all ") + FixFluid::style_name).c_str());
-        fluid_ = dynamic_cast<FixFluid*>(lmp_->modify->find_fix_id("interphase"));
-    }
-    for (const char* style : {"massflow/mesh", "remove", "evaporate"})
-        may_remove_ = may_remove_ || lmp_->modify->find_fix_style(style, 0);
+    population_ = add_fix<FixPopulation>(*lmp_, "interphase_population");
+    if (with_gas) fluid_ = add_fix<FixFluid>(*lmp_, "interphase");  // the last one: it answers to all other forces
 
     // what `run` does before its loop, so that the loop can be continued at any length without setting up again
     LAMMPS_NS::Update& update = *lmp_->update;
@@ -340,8 +351,15 @@ void LiggghtsSolids::start(double solid_step, long steps, bool with_gas)
     update.firststep = update.beginstep = update.ntimestep;
     update.laststep = update.endstep = update.ntimestep + steps;
     lmp_->init();
+    population_->watch(fluid_);
+    const long before = comm_.sum(static_cast<long>(lmp_->atom->nlocal));
     update.integrate->setup();
     lmp_->timer->init();
+    const long lost = before - comm_.sum(static_cast<long>(lmp_->atom->nlocal));
+    if (lost > 0)
+        throw UserError(std::to_string(lost) + " of " + std::to_string(before) +
+                            " particles are outside of the particles' domain at the start, where LIGGGHTS drops them",
+                        settings_.script, "place them inside the box of create_box or read_data, or make it larger");
 
     if (auto* fix = dynamic_cast<LAMMPS_NS::FixGravity*>(lmp_->modify->find_fix_style("gravity", 0)))
         fix->get_gravity(gravity_.data());
@@ -385,8 +403,37 @@ void LiggghtsSolids::kick_again(std::size_t i, const Vector& velocity, const Vec
 void LiggghtsSolids::advance(int substeps)
 {
     const LastWords of_liggghts(comm_.is_master());
+    population_->begin();
     lmp_->update->integrate->run(substeps);
+    population_->settle();
+    refuse_faster_contacts();
 }
+
+void LiggghtsSolids::refuse_faster_contacts() const
+{
+    // of what came by other ways than the fixes insert/* that the step was chosen for
+    if (!contact_duration_ || !comm_.any(!population_->arrivals().empty())) return;
+    constexpr double slack = 1 - 1e-6;
+    const std::optional<double> now = shortest_contact(*lmp_, {});
+    if (!now || *now >= *contact_duration_ * slack) return;
+    throw UserError("particles were inserted whose collisions last " + text(*now) + " s, less than the " +
+                        text(*contact_duration_) + " s for which the solid step was chosen",
+                    settings_.script,
+                    "let fixes insert/* of the script make them, whose templates are known at the start, or give "
+                    "`solidStep` for them and a first one of their kind in the script");
+}
+
+Scalars LiggghtsSolids::radii_to_come() const
+{
+    Scalars radii;
+    for (const SpheresToCome& spheres : to_come_)
+        radii.insert(radii.end(), {spheres.smallest_radius, spheres.largest_radius});
+    return radii;
+}
+
+const std::vector<Departure>& LiggghtsSolids::departures() const { return population_->departures(); }
+
+const std::vector<std::size_t>& LiggghtsSolids::arrivals() const { return population_->arrivals(); }
 
 std::string LiggghtsSolids::version() const
 {

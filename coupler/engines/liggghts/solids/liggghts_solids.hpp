@@ -8,6 +8,7 @@
 #include "engines/liggghts/plugins/plugin_loader.hpp"
 #include "engines/liggghts/script/last_words.hpp"
 #include "engines/liggghts/script/listening_screen.hpp"
+#include "engines/liggghts/solids/insertions.hpp"
 #include "run/particle_engine.hpp"
 
 namespace LAMMPS_NS {
@@ -18,6 +19,7 @@ class LAMMPS;
 namespace interphase {
 
 class FixFluid;
+class FixPopulation;
 
 /// LIGGGHTS, unmodified, as the engine of the particles.
 class LiggghtsSolids : public ParticleEngine {
@@ -38,7 +40,9 @@ public:
     ParticleView particles() override;
     Vector gravity() const override { return gravity_; }
     PeriodicBox periods() const override;
-    bool may_remove_particles() const override { return may_remove_; }
+    const std::vector<Departure>& departures() const override;
+    const std::vector<std::size_t>& arrivals() const override;
+    Scalars radii_to_come() const override;
     bool kicks_before_moving() const override { return !moves_come_first_; }
     bool takes_new_forces() const override { return takes_new_forces_; }
     void kick_again(std::size_t i, const Vector& velocity, const Vector& force) override;
@@ -64,6 +68,7 @@ private:
     std::optional<double> ask_for_step_limit() const;
     SolidStress* ask_for_solid_stress() const;
     bool any_plugin_says(const char* what) const;
+    void refuse_faster_contacts() const;
 
     Communicator comm_;
     const Settings& settings_;
@@ -71,15 +76,16 @@ private:
     std::unique_ptr<ListeningScreen> screen_;
     LAMMPS_NS::LAMMPS* lmp_ = nullptr;
     FixFluid* fluid_ = nullptr;
+    FixPopulation* population_ = nullptr;
     const LAMMPS_NS::Fix* weights_ = nullptr;  ///< the script's, or null: all have that of the settings
     std::vector<LoadedPlugin> plugins_;
     std::optional<double> contact_duration_, rayleigh_time_, step_limit_;
     SolidStress* solid_stress_ = nullptr;  ///< a fix's
     bool moves_come_first_ = false, takes_new_forces_ = false;
     Vector gravity_ = Vector::Zero();
-    bool may_remove_ = false;
     bool looked_at_ = false;                            ///< the scene, for remarks
     long overlaps_ = 0, unmoved_ = 0, fast_steps_ = 0;  ///< at the start; at present; gas steps
+    std::vector<SpheresToCome> to_come_;                ///< at the start
 };
 
 }  // namespace interphase
