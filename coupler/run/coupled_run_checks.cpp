@@ -85,6 +85,16 @@ void CoupledRun::check_weights() const
 {
     const ParticleView particles = solids_->particles();
     comm_.fail_together(particle_trouble(particles, comm_.rank()));
+    for (const double weight : solids_->weights_to_come())
+        if (!(weight >= 1) || (weight > 1 && !tracks_parcels(settings_.method)))
+            throw UserError(
+                "the script inserts particles with a weight of " + text(weight) +
+                    (weight > 1 ? ", and method " + name_of(settings_.method) + " tracks real particles"
+                                : ": at least 1 real particle is in a tracked one"),
+                settings_.script + ", `set_property weight` of a fix insert/*",
+                std::string("correct it") +
+                    (weight > 1 ? settings_.method == Method::dem ? ", or take method CGPM" : ", or take method CGHS"
+                                : ""));
     if (!particles.weight.differ()) return;
     const std::string where = settings_.script + ", fix property/atom weight", method = name_of(settings_.method);
     if (!tracks_parcels(settings_.method) && at_start_.highest_weight > 1)

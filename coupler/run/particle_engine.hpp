@@ -31,6 +31,9 @@ public:
     /// The longest solid step [s] that the plug-ins bear, where one tells.
     virtual std::optional<double> step_limit() const = 0;
 
+    /// The weights that particles still to be made are given in so many words [n]; the same on all ranks.
+    virtual Scalars weights_to_come() const { return {}; }
+
     virtual double largest_diameter() const = 0;   ///< of the tracked spheres [m]. Collective.
     virtual double smallest_diameter() const = 0;  ///< of the tracked spheres [m]. Collective.
 

@@ -213,10 +213,13 @@ class Populations(support.ProgramTest):
 
     def test_parcels_among_real_particles(self):
         weights = "fix weights all property/atom weight scalar yes no no 1\natom_modify sort 0 0\nrun 0\n"
+        default = weights.replace("no no 1", "no no 8").replace("run 0", "run 0\nset group all property/atom weight 1")
         lines, _ = vessel.bed(2)
         for method, instead in (("DEM", "CGPM"), ("TDHS", "CGHS")):
             folder = self.case(f"weight{method}", lines + weights, spheres() + pack(20, "set_property weight 8"))
-            self.stopped(folder, method, "weight of 8", f"method {method} tracks real particles", instead)
+            self.stopped(folder, method, "the script inserts", "weight of 8", f"method {method} tracks real particles", instead)
+            folder = self.case(f"default{method}", lines + default, spheres() + pack(20))
+            self.stopped(folder, method, "was inserted", "weight of 8", f"method {method} tracks real particles", instead)
 
     def test_a_closed_vessel(self):
         """No gas comes or goes: what is poured in replaces as much of it."""

@@ -3,6 +3,8 @@
 
 #include <mpi.h>
 
+#include <cstring>
+
 #include "base/sphere.hpp"
 #include "fix_insert.h"
 #include "fix_particledistribution_discrete.h"
@@ -12,7 +14,29 @@
 
 namespace interphase {
 
+namespace detail {
+
+// What a fix insert/* gives to its particles by `set_property` is private; see fix_registration.hpp for how it is read.
+template <char* LAMMPS_NS::FixInsert::*Name, double LAMMPS_NS::FixInsert::*Value>
+struct SetPropertyAccess {
+    friend const char* name_of_property(LAMMPS_NS::FixInsert& fix) { return fix.*Name; }
+    friend double value_of_property(LAMMPS_NS::FixInsert& fix) { return fix.*Value; }
+};
+
+const char* name_of_property(LAMMPS_NS::FixInsert& fix);
+double value_of_property(LAMMPS_NS::FixInsert& fix);
+template struct SetPropertyAccess<&LAMMPS_NS::FixInsert::property_name, &LAMMPS_NS::FixInsert::fix_property_value>;
+
+}  // namespace detail
+
 namespace {
+
+std::optional<double> weight_given_by(LAMMPS_NS::FixInsert& fix)
+{
+    const char* name = detail::name_of_property(fix);
+    if (!name || std::strcmp(name, "weight") != 0) return std::nullopt;
+    return detail::value_of_property(fix);
+}
 
 /// The densities of a template, which it keeps to itself and its kind.
 struct Densities : LAMMPS_NS::FixTemplateSphere {
@@ -36,7 +60,8 @@ std::vector<SpheresToCome> spheres_to_come(LAMMPS_NS::LAMMPS& lmp)
         if (!distribution) continue;
         for (int n = 0; n < distribution->n_particletemplates(); ++n) {
             LAMMPS_NS::FixTemplateSphere& kind = *distribution->particletemplates()[n];
-            all.push_back({kind.mintype(), kind.min_rad(), kind.max_rad(), Densities::lowest(kind)});
+            all.push_back(
+                {kind.mintype(), kind.min_rad(), kind.max_rad(), Densities::lowest(kind), weight_given_by(*insertion)});
         }
     }
     return all;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -14,6 +15,7 @@ struct SpheresToCome {
     int type;                                ///< of LIGGGHTS, from 1
     double smallest_radius, largest_radius;  ///< [m]
     double lowest_density;                   ///< [kg/m3]
+    std::optional<double> weight;            ///< real particles in each, where the fix gives it
 
     double lightest() const;  ///< mass of the smallest at the lowest density [kg]
 };

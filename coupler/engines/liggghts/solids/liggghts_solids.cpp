@@ -423,6 +423,14 @@ void LiggghtsSolids::refuse_faster_contacts() const
                     "`solidStep` for them and a first one of their kind in the script");
 }
 
+Scalars LiggghtsSolids::weights_to_come() const
+{
+    Scalars weights;
+    for (const SpheresToCome& spheres : to_come_)
+        if (spheres.weight) weights.push_back(*spheres.weight);
+    return weights;
+}
+
 Scalars LiggghtsSolids::radii_to_come() const
 {
     Scalars radii;

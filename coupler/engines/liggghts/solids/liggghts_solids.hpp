@@ -43,6 +43,7 @@ public:
     const std::vector<Departure>& departures() const override;
     const std::vector<std::size_t>& arrivals() const override;
     Scalars radii_to_come() const override;
+    Scalars weights_to_come() const override;
     bool kicks_before_moving() const override { return !moves_come_first_; }
     bool takes_new_forces() const override { return takes_new_forces_; }
     void kick_again(std::size_t i, const Vector& velocity, const Vector& force) override;
