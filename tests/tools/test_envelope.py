@@ -71,6 +71,10 @@ class Verdicts(unittest.TestCase):
         self.assertIn("the pressure alternates where: here", seen)
         self.assertEqual(verdict(0, "interphase: warning: swings\n" + LOG, like(rms=0.3))[0], TOLD)
 
+    def test_counts_of_warnings_are_none(self):
+        counted = LOG + "  counted\n    warnings of LIGGGHTS   0\n    warnings of OpenFOAM   0\n"
+        self.assertNotEqual(verdict(0, counted, like(rms=0.3))[0], TOLD)
+
     def test_a_warning_does_not_spoil_what_is_right(self):
         self.assertEqual(verdict(0, "interphase: warning: swings\n" + LOG, GOOD)[0], RIGHT)
 

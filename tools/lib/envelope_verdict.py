@@ -58,7 +58,7 @@ def deviation(values):
 
 def message(log):
     """The first warning or error of a run in its output, '' where there is none."""
-    found = re.search(r"^.*\b(?:warning|error):?\s*(.*(?:\n(?!\s*$).*){0,3})", log, re.I | re.M)
+    found = re.search(r"^.*\b(?:warning|error)\b:?\s*(.*(?:\n(?!\s*$).*){0,3})", log, re.I | re.M)
     return re.sub(r"\s+", " ", found[1])[:300] if found else ""
 
 
