@@ -73,7 +73,7 @@ void make_log()
     std::error_code ignored;
     std::filesystem::create_directories(log.parent_path(), ignored);
     errno = 0;
-    if (!std::ofstream(log))
+    if (!std::ofstream(log, std::ios::app))  // what LIGGGHTS has said before stays
         throw UserError("LIGGGHTS's log cannot be written: " + std::string(std::strerror(errno)),
                         std::filesystem::absolute(log).string(),
                         "give yourself the right to write there, or run a copy of the case in a folder of your own "
