@@ -196,5 +196,30 @@ class StirredBed(WithBooks):
             self.prepared("stirred-bed", "TDHS", method="TDHS")
 
 
+class SnappyVessel(WithBooks):
+    """A mesh that snappyHexMesh snapped to the surface that the spheres meet, too."""
+
+    def test_every_method_stays_in_the_vessel(self):
+        for method, weight, ranks in (("DEM", 1, 1), ("TDHS", 1, 2), ("CGPM", 8, 2), ("CGHS", 8, 1), ("MPPIC", 8, 4)):
+            with self.subTest(method=method, ranks=ranks):
+                folder = self.prepared("snappy-vessel", method, ranks, method=method, weight=weight, until=0.01)
+                p = support.parameters(folder)
+                done = self.run_case(folder, ranks)
+                self.books_close(done)
+                end = self.last(done)
+                self.assertEqual(len(end["id"]), p["particleCount"] / weight)
+                from_axis = numpy.hypot(end["position"][:, 0], end["position"][:, 1])
+                room = numpy.minimum(
+                    p["radius"], p["inletRadius"] + (p["radius"] - p["inletRadius"]) * end["position"][:, 2] / p["coneHeight"])
+                self.assertLess((from_axis - room).max(), 0)
+
+    def test_the_gas_lifts_the_bed_off_the_inlet(self):
+        done = self.run_case(self.prepared("snappy-vessel", method="CGHS", weight=8, until=0.05))
+        end = self.last(done)
+        # the lower half is carried by eight times the velocity that a bed begins to float at, against gravity's -0.5 m/s
+        lower = end["position"][:, 2] < numpy.median(end["position"][:, 2])
+        self.assertGreater(end["velocity"][lower, 2].mean(), 0)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -71,13 +71,13 @@ class Periodic(support.ProgramTest):
 
         for method, weight in METHODS:
             with self.subTest(method):
-                done = self.duct(f"cyclic-{method}", ends="cyclic", method=method, weight=weight, until=0.05, gasStep=5e-4,
+                done = self.duct(f"cyclic-{method}", ends="cyclic", method=method, weight=weight, until=0.05, gasStep=2.5e-4,
                                  recordInterval=0.01)  # fmt: skip
                 snapshots = done.snapshots()
                 times = sorted(snapshots)
                 exact = solve_ivp(rates, (0, times[-1]), [0.0, 0.0], t_eval=times, rtol=1e-10, atol=1e-12).y[0]
                 found = [snapshots[t]["velocity"][:, 2].mean() for t in times]
-                # the drag rate is held over a gas step of a thirtieth of the relaxation time, and the first of them starts at rest
+                # the drag rate is held over a gas step of a sixtieth of the relaxation time, and the first of them starts at rest
                 numpy.testing.assert_allclose(found[1:], exact[1:], rtol=0.02)
                 print(f"{method}: {found[-1]:.4f} m/s after {times[-1]:g} s, exact {exact[-1]:.4f}")
 

@@ -9,6 +9,7 @@
 #include "engines/liggghts/script/last_words.hpp"
 #include "engines/liggghts/script/listening_screen.hpp"
 #include "engines/liggghts/solids/insertions.hpp"
+#include "engines/liggghts/solids/scene_remarks.hpp"
 #include "run/particle_engine.hpp"
 
 namespace LAMMPS_NS {
@@ -52,23 +53,11 @@ public:
 
     std::string version() const override;
 
-    std::vector<Problem> remarks() override;
-    std::vector<Count> counts() const override;
+    std::vector<Problem> remarks() override { return remarks_->now(); }
+    std::vector<Count> counts() const override { return remarks_->counts(); }
     EngineWarnings* warnings() override;  ///< flushed
 
 private:
-    void refuse_unusable_scene() const;
-    void refuse_bodiless_particles() const;
-    void refuse_particles_moved_twice() const;
-    std::vector<Problem> remarks_on_scene();
-    std::optional<Problem> remark_on_unmoved();
-    std::optional<Problem> remark_on_fast_contacts();
-    bool has_fix(const char* start_of_style) const;
-    void refuse_doubtful_collisions() const;
-    bool is_of_plugin(const std::string& style) const;
-    std::optional<double> ask_for_step_limit() const;
-    SolidStress* ask_for_solid_stress() const;
-    bool any_plugin_says(const char* what) const;
     void refuse_faster_contacts() const;
 
     Communicator comm_;
@@ -84,9 +73,8 @@ private:
     SolidStress* solid_stress_ = nullptr;  ///< a fix's
     bool moves_come_first_ = false, takes_new_forces_ = false;
     Vector gravity_ = Vector::Zero();
-    bool looked_at_ = false;                            ///< the scene, for remarks
-    long overlaps_ = 0, unmoved_ = 0, fast_steps_ = 0;  ///< at the start; at present; gas steps
-    std::vector<SpheresToCome> to_come_;                ///< at the start
+    std::unique_ptr<SceneRemarks> remarks_;
+    std::vector<SpheresToCome> to_come_;  ///< at the start
 };
 
 }  // namespace interphase
