@@ -94,7 +94,7 @@ OwnerCellSearch::Slots OwnerCellSearch::walk_from_last_owners(const VectorsView&
     if (comm_.size() == 1) return lost;
 
     ExchangePlan exchange(comm_);
-    for (int round = 0;; ++round) {
+    for (int round = 0; round <= most_hand_overs; ++round) {  // by the last of them each is settled
         std::vector<int> counts;
         std::vector<WalkQuestion> questions;
         Slots order;
