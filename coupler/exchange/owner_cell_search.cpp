@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exchange/owner_cell_search.hpp"
 
-#include <limits>
+#include <map>
 #include <utility>
 
 #include "exchange/exchange_plan.hpp"
@@ -17,17 +17,6 @@ constexpr int most_hand_overs = 8;
 struct WalkQuestion {
     double position[3];
     int start;  ///< the asked rank's cell
-};
-
-/// Is it anywhere in your part of the mesh? The answer is a CellAddress.
-struct SearchQuestion {
-    double position[3];
-};
-
-/// Which of your cells at the edge of the mesh is nearest? The answer is a NearCell.
-struct EdgeQuestion {
-    double position[3];
-    double reach;
 };
 
 /// Of a particle's reach. A point on the face between two ranks' cells may by round-off be in neither, and a point as
@@ -50,19 +39,22 @@ OwnerCellSearch::OwnerCellSearch(const Communicator& comm, const CellLocator& lo
 void OwnerCellSearch::update(const VectorsView& positions, const ScalarsView& reach,
                              std::vector<CellAddress>& owner_cells)
 {
-    const auto column = [](std::size_t slot) { return static_cast<Eigen::Index>(slot); };
-    const auto here = [&](std::size_t slot) -> Vector { return positions.col(column(slot)); };
-    const auto beside_it = [&](std::size_t slot) -> Vector {
-        return here(slot) + round_off * reach[column(slot)] * beside;
+    const auto asked = [&](const Slots& slots, double margin, double off) {
+        std::vector<Question> questions;
+        for (const std::size_t slot : slots) {
+            const auto column = static_cast<Eigen::Index>(slot);
+            questions.push_back({slot, margin * reach[column], {}});
+            set(questions.back().position, positions.col(column) + off * reach[column] * beside);
+        }
+        return questions;
     };
     beyond_edge_ = 0;
     Slots lost = walk_from_last_owners(positions, owner_cells);
-    if (!comm_.any(!lost.empty())) return;
-    lost = search_everywhere(lost, here, owner_cells);
-    if (!comm_.any(!lost.empty())) return;
-    lost = search_everywhere(lost, beside_it, owner_cells);
-    if (!comm_.any(!lost.empty())) return;
-    find_nearest(positions, reach, lost, owner_cells);
+    for (const double off : {0.0, round_off}) {
+        if (!comm_.any(!lost.empty())) return;
+        lost = search_everywhere(asked(lost, 0, off), owner_cells);
+    }
+    if (comm_.any(!lost.empty())) find_nearest(asked(lost, 1, 0), owner_cells);
 }
 
 CellAddress OwnerCellSearch::walk_or_search(const Vector& point, int start) const
@@ -131,81 +123,70 @@ OwnerCellSearch::Slots OwnerCellSearch::walk_from_last_owners(const VectorsView&
     return lost;
 }
 
-template <class Place>
-OwnerCellSearch::Slots OwnerCellSearch::search_everywhere(const Slots& lost, const Place& place,
-                                                          std::vector<CellAddress>& owner_cells)
+template <class Answer, class Reply>
+std::vector<OwnerCellSearch::Offered<Answer>> OwnerCellSearch::offer(const std::vector<Question>& questions,
+                                                                     const Reply& reply)
 {
     std::vector<int> counts;
-    std::vector<SearchQuestion> questions;
-    Slots order;
-    for (const Box& bounds : bounds_) {
-        const std::size_t before = order.size();
-        for (const std::size_t slot : lost) {
-            const Vector x = place(slot);
-            if (!contains(bounds, x)) continue;
-            questions.emplace_back();
-            set(questions.back().position, x);
-            order.push_back(slot);
+    std::vector<Question> asked;
+    std::vector<Offered<Answer>> all;
+    for (int rank = 0; rank < comm_.size(); ++rank) {
+        const std::size_t before = asked.size();
+        for (const Question& question : questions) {
+            Box around = bounds_[static_cast<std::size_t>(rank)];
+            around.col(0).array() -= question.reach;
+            around.col(1).array() += question.reach;
+            if (!contains(around, to_vector(question.position))) continue;
+            asked.push_back(question);
+            all.push_back({question.slot, rank, {}});
         }
-        counts.push_back(static_cast<int>(order.size() - before));
+        counts.push_back(static_cast<int>(asked.size() - before));
     }
     ExchangePlan exchange(comm_);
     exchange.plan(counts);
-    std::vector<CellAddress> answers;
-    for (const SearchQuestion& asked_here : exchange.forward(std::move(questions)))
-        answers.push_back(locator_.search(to_vector(asked_here.position)));
-    const std::vector<CellAddress> found = exchange.backward(std::move(answers));
-    for (const std::size_t slot : lost)
-        owner_cells[slot] = CellAddress{};
-    for (std::size_t i = 0; i < order.size(); ++i) {  // of several, the lowest rank's cell
-        CellAddress& owner = owner_cells[order[i]];
-        if (!owner.known()) owner = found[i];
-    }
+    std::vector<Answer> answers;
+    for (const Question& question : exchange.forward(std::move(asked)))
+        answers.push_back(reply(question));
+    const std::vector<Answer> returned = exchange.backward(std::move(answers));
+    for (std::size_t i = 0; i < all.size(); ++i)
+        all[i].answer = returned[i];
     bytes_sent_ += exchange.bytes_sent();
-    Slots still_lost;
-    for (const std::size_t slot : lost)
-        if (!owner_cells[slot].known()) still_lost.push_back(slot);
-    return still_lost;
+    return all;
 }
 
-void OwnerCellSearch::find_nearest(const VectorsView& positions, const ScalarsView& reach, const Slots& lost,
-                                   std::vector<CellAddress>& owner_cells)
+OwnerCellSearch::Slots OwnerCellSearch::search_everywhere(const std::vector<Question>& questions,
+                                                          std::vector<CellAddress>& owner_cells)
 {
-    std::vector<int> counts, ranks;
-    std::vector<EdgeQuestion> questions;
-    Slots order;
-    for (int rank = 0; rank < comm_.size(); ++rank) {
-        const std::size_t before = order.size();
-        for (const std::size_t slot : lost) {
-            const auto column = static_cast<Eigen::Index>(slot);
-            Box around = bounds_[static_cast<std::size_t>(rank)];
-            around.col(0).array() -= reach[column];
-            around.col(1).array() += reach[column];
-            if (!contains(around, positions.col(column))) continue;
-            questions.emplace_back();
-            set(questions.back().position, positions.col(column));
-            questions.back().reach = reach[column];
-            order.push_back(slot);
-            ranks.push_back(rank);
-        }
-        counts.push_back(static_cast<int>(order.size() - before));
+    for (const Question& question : questions)
+        owner_cells[question.slot] = CellAddress{};
+    const auto search = [&](const Question& question) { return locator_.search(to_vector(question.position)); };
+    for (const auto& offered : offer<CellAddress>(questions, search)) {  // of several, the lowest rank's cell
+        CellAddress& owner = owner_cells[offered.slot];
+        if (!owner.known()) owner = offered.answer;
     }
-    ExchangePlan exchange(comm_);
-    exchange.plan(counts);
-    std::vector<NearCell> answers;
-    for (const EdgeQuestion& asked_here : exchange.forward(std::move(questions)))
-        answers.push_back(locator_.nearest(to_vector(asked_here.position), asked_here.reach));
-    const std::vector<NearCell> found = exchange.backward(std::move(answers));
-    Scalars nearest(owner_cells.size(), std::numeric_limits<double>::max());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const std::size_t slot = order[i];
-        if (found[i].cell < 0 || !(found[i].distance < nearest[slot])) continue;
-        nearest[slot] = found[i].distance;
-        owner_cells[slot] = {ranks[i], found[i].cell};
+    Slots lost;
+    for (const Question& question : questions)
+        if (!owner_cells[question.slot].known()) lost.push_back(question.slot);
+    return lost;
+}
+
+void OwnerCellSearch::find_nearest(const std::vector<Question>& questions, std::vector<CellAddress>& owner_cells)
+{
+    const auto nearest = [&](const Question& question) {
+        return locator_.nearest(to_vector(question.position), question.reach);
+    };
+    std::map<std::size_t, double> distance;  // of each slot that somebody has a cell for
+    for (const auto& offered : offer<NearCell>(questions, nearest)) {
+        const NearCell& found = offered.answer;
+        if (found.cell < 0) continue;
+        const auto [known, is_first] = distance.try_emplace(offered.slot, found.distance);
+        if (!is_first && known->second <= found.distance) continue;
+        known->second = found.distance;
+        owner_cells[offered.slot] = {offered.rank, found.cell};
     }
-    for (const std::size_t slot : lost)
-        beyond_edge_ += owner_cells[slot].known() && nearest[slot] > round_off * reach[static_cast<Eigen::Index>(slot)];
-    bytes_sent_ += exchange.bytes_sent();
+    for (const Question& question : questions)
+        if (const auto known = distance.find(question.slot); known != distance.end())
+            beyond_edge_ += known->second > round_off * question.reach;
 }
 
 }  // namespace interphase

@@ -31,12 +31,26 @@ public:
 private:
     using Slots = std::vector<std::size_t>;
 
+    /// Where is this particle, or what is there within `reach` [m] of it?
+    struct Question {
+        std::size_t slot;
+        double reach;
+        double position[3];
+    };
+    template <class Answer>
+    struct Offered {
+        std::size_t slot;
+        int rank;
+        Answer answer;
+    };
+
     Slots walk_from_last_owners(const VectorsView& positions, std::vector<CellAddress>& owner_cells);
-    /// Offers the points that `place(slot)` gives; returns those that nobody has.
-    template <class Place>
-    Slots search_everywhere(const Slots& lost, const Place& place, std::vector<CellAddress>& owner_cells);
-    void find_nearest(const VectorsView& positions, const ScalarsView& reach, const Slots& lost,
-                      std::vector<CellAddress>& owner_cells);
+    /// Offers each question to the ranks whose part of the mesh is within its reach, which reply.
+    template <class Answer, class Reply>
+    std::vector<Offered<Answer>> offer(const std::vector<Question>& questions, const Reply& reply);
+    /// Returns those that nobody has.
+    Slots search_everywhere(const std::vector<Question>& questions, std::vector<CellAddress>& owner_cells);
+    void find_nearest(const std::vector<Question>& questions, std::vector<CellAddress>& owner_cells);
     CellAddress walk_or_search(const Vector& point, int start) const;
 
     Communicator comm_;

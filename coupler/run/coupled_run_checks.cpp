@@ -92,9 +92,9 @@ void CoupledRun::check_weights() const
                     (weight > 1 ? ", and method " + name_of(settings_.method) + " tracks real particles"
                                 : ": at least 1 real particle is in a tracked one"),
                 settings_.script + ", `set_property weight` of a fix insert/*",
-                std::string("correct it") +
-                    (weight > 1 ? settings_.method == Method::dem ? ", or take method CGPM" : ", or take method CGHS"
-                                : ""));
+                weight > 1 ? std::string("give it the weight 1, or take method ") +
+                                 (settings_.method == Method::dem ? "CGPM" : "CGHS")
+                           : "give it a weight of 1 or more");
     if (!particles.weight.differ()) return;
     const std::string where = settings_.script + ", fix property/atom weight", method = name_of(settings_.method);
     if (!tracks_parcels(settings_.method) && at_start_.highest_weight > 1)

@@ -173,7 +173,7 @@ class Insertion(support.ProgramTest):
         scene = box([[0.03, 0.015, 0.1]], [1], more=self.insertion(0.5), step=1e-3, end=0.02)
         done = support.execute(scene.write(os.path.join(self.root, "case")))
         self.assertEqual(done.code, 1, done.text)
-        self.assertRegex(done.text, r"the weight of particle \d+ \(rank 0\) is 0\.5, .*\n  where:  at \(.*\n  remedy: .*set_property weight")
+        self.assertRegex(done.text, r"inserts particles with a weight of 0\.5.*\n  where:  .*set_property weight.*\n  remedy: give it a weight of 1")
 
 
 class BadInput(support.ProgramTest):
