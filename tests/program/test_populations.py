@@ -6,6 +6,7 @@
 cause, the books close to round-off on 1, 2 and 4 ranks, and the gas gives way without a jolt."""
 
 import os
+import re
 import sys
 import unittest
 
@@ -168,6 +169,24 @@ class Populations(support.ProgramTest):
                     with done.results() as file:
                         # 50 Pa of bed; a layer of 253 spheres that vanishes as a change of voidage gave 120 Pa
                         self.assertLess(abs(file["/series/pressure_drop"][:]).max(), 50)
+
+    def test_an_outlet_that_sees_spheres_late(self):
+        """0.9 of a radius in a solid step: LIGGGHTS lists three of four for the outlet when they are below it already, and
+        neither counted nor deleted them; they came to lie on the floor without a word."""
+        lines, count = vessel.bed(4, above=8)
+        fall = "velocity all set 0.0 0.0 -5.5 units box\n"
+        counted = "thermo_style custom step atoms f_gone[2] f_gone[6]\nthermo 1\n"
+        folder = self.case("late", lines, fall + outlet() + counted)
+        for ranks in (1, 2):
+            with self.subTest(ranks=ranks):
+                done = self.finished(folder, "TDHS", ranks, until=0.015)
+                ledger, here = self.assert_closed(done)
+                self.assertEqual(here[-1], 0)
+                self.assertEqual(ledger["deleted_by_mesh"][-1], count)
+                self.assertRegex(done.out, r"particles that an outlet saw late +\d+")
+                # as LIGGGHTS counts them: crossed, deleted
+                last = re.findall(r"^ +\d+ +(\d+) +(\d+) +(\d+) *$", support.read(done.path("dem/log.liggghts")), re.M)[-1]
+                self.assertEqual([int(number) for number in last], [0, count, count])
 
     def test_leaving_through_the_boundary(self):
         """No floor and no wall below: spheres fall out of the gas mesh and then out of their box."""

@@ -50,13 +50,14 @@ FixPopulation::FixPopulation(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : Fix
 
 FixPopulation::~FixPopulation() { atom->delete_callback(id, grow_callback); }
 
-int FixPopulation::setmask() { return LAMMPS_NS::FixConst::PRE_EXCHANGE; }
+int FixPopulation::setmask() { return LAMMPS_NS::FixConst::POST_INTEGRATE | LAMMPS_NS::FixConst::PRE_EXCHANGE; }
 
 void FixPopulation::watch(FixFluid* fluid)
 {
     fluid_ = fluid;
+    outlets_ = std::make_unique<Outlets>(*lmp);
     count_ = sum(atom->nlocal);
-    made_ = 0;
+    made_ = late_ = 0;
 
     int*& list = CallsBeforeExchange::list(*modify);
     std::vector<int> order;
@@ -90,9 +91,14 @@ void FixPopulation::begin()
     departures_.clear();
     arrivals_.clear();
     packed_.clear();
-    made_ = 0;
+    made_ = late_ = 0;
     std::fill(is_new_.begin(), is_new_.end(), 0);
     std::fill(hops_.begin(), hops_.end(), 0);
+}
+
+void FixPopulation::post_integrate()
+{
+    if (outlets_) late_ += outlets_->correct(*lmp);
 }
 
 void FixPopulation::pre_exchange()
@@ -150,11 +156,12 @@ void FixPopulation::settle()
     for (int i = 0; i < atom->nlocal; ++i)
         if (is_new_[index(i)]) arrivals_.push_back(index(i));
     const long there = atom->nlocal, deleted = static_cast<long>(departures_.size());
-    long numbers[3] = {there, made_, deleted};
-    MPI_Allreduce(MPI_IN_PLACE, numbers, 3, MPI_LONG, MPI_SUM, world);
+    long numbers[4] = {there, made_, deleted, late_};
+    MPI_Allreduce(MPI_IN_PLACE, numbers, 4, MPI_LONG, MPI_SUM, world);
     const long dropped = count_ + numbers[1] - numbers[2] - numbers[0];
     if (dropped > 0) find_dropped();
     count_ = numbers[0];
+    seen_late_ += numbers[3];
 }
 
 void FixPopulation::find_dropped()

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "engines/liggghts/solids/outlets.hpp"
 #include "fix.h"
 #include "step/departure.hpp"
 
@@ -14,7 +16,8 @@ class FixFluid;
 ///
 /// LIGGGHTS deletes by fixes, before particles change rank, and drops what is in no rank's part of its box, as they do.
 /// So this fix takes its turn before and after every fix that may delete, and sees each particle that is packed for
-/// another rank and each that arrives. One that was packed and is nowhere was dropped. It acts on nothing.
+/// another rank and each that arrives. One that was packed and is nowhere was dropped. It acts on nothing but the
+/// memory of outlets that did not see a particle come (Outlets).
 class FixPopulation : public LAMMPS_NS::Fix {
 public:
     static constexpr const char* style_name = "interphase/population";
@@ -31,8 +34,11 @@ public:
     void settle();
     const std::vector<Departure>& departures() const { return departures_; }
     const std::vector<std::size_t>& arrivals() const { return arrivals_; }
+    /// Particles that fixes massflow/mesh saw only after they had come through, of all ranks since watch().
+    long seen_late() const { return seen_late_; }
 
     int setmask() override;
+    void post_integrate() override;
     void pre_exchange() override;
     void grow_arrays(int count) override;
     void copy_arrays(int from, int to, int) override;
@@ -56,13 +62,15 @@ private:
     FixFluid* fluid_ = nullptr;
     std::vector<int> is_new_, hops_;  ///< of each particle
     std::vector<Exit> watched_;       ///< of the fixes that may delete, each between two turns of this one
+    std::unique_ptr<Outlets> outlets_;
     std::size_t turn_ = 0;
     LAMMPS_NS::bigint last_step_ = -1;
     std::vector<Departure> remembered_;
     std::vector<Packed> packed_;
     std::vector<Departure> departures_;
     std::vector<std::size_t> arrivals_;
-    long made_ = 0, count_ = 0;  ///< on this rank since begin(); of all ranks at the last settle()
+    long made_ = 0, late_ = 0;        ///< on this rank since begin()
+    long count_ = 0, seen_late_ = 0;  ///< of all ranks at the last settle()
 };
 
 }  // namespace interphase

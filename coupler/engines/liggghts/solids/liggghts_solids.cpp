@@ -90,6 +90,14 @@ LiggghtsSolids::~LiggghtsSolids()
     screen_.reset();
 }
 
+std::vector<Count> LiggghtsSolids::counts() const
+{
+    std::vector<Count> all = remarks_->counts();
+    if (const long late = population_ ? population_->seen_late() : 0; late > 0)
+        all.push_back({"seen_late_by_outlets", "particles that an outlet saw late", late});
+    return all;
+}
+
 EngineWarnings* LiggghtsSolids::warnings()
 {
     screen_->flush();

@@ -54,7 +54,7 @@ public:
     std::string version() const override;
 
     std::vector<Problem> remarks() override { return remarks_->now(); }
-    std::vector<Count> counts() const override { return remarks_->counts(); }
+    std::vector<Count> counts() const override;
     EngineWarnings* warnings() override;  ///< flushed
 
 private:
