@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "momentum/ledger.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace interphase {
@@ -73,7 +74,8 @@ const double* StockAccount::book(const double* sums)
 {
     const double content = sums[0], net_inflow = sums[1] - sums[2];
     expected_ = expected_ ? *expected_ + net_inflow : content;
-    residual_ = content > 0 ? std::abs(content - *expected_) / content : 0.0;
+    largest_ = std::max({largest_, content, *expected_});
+    residual_ = largest_ > 0 ? std::abs(content - *expected_) / largest_ : 0.0;
     step = {};
     return sums + 3;
 }

@@ -98,7 +98,9 @@ public:
         double content = 0, in = 0, out = 0;
     } step;
 
-    /// |content - what was there at first - in + out| over all steps, relative to the content.
+    /// |content - what was there at first - in + out| over all steps, relative to the largest so far, of either side:
+    /// what was summed up on the way has the round-off of that, and a vessel that ends empty must not divide by
+    /// nothing.
     double residual() const override { return residual_; }
 
     void hand_in(Scalars& numbers) const override;
@@ -107,12 +109,13 @@ public:
     void keep(Archive& archive) override
     {
         archive.keep("expected", expected_);
+        archive.keep("largest", largest_);
         archive.keep("residual", residual_);
     }
 
 private:
     std::optional<double> expected_;  ///< by the boundary's side
-    double residual_ = 0;
+    double largest_ = 0, residual_ = 0;
 };
 
 /// The books: one account a conserved quantity.
@@ -123,7 +126,8 @@ public:
     ExchangeAccount momentum{"momentum", "momentum, gas against particles", "of the impulse exchanged", 3};
     SharedAccount solid_volume{"volume", "solid volume, cells against particles", "of the total"};
     StockAccount gas_volume{"gas_volume", "gas volume, cells against boundary", "of the total"};
-    StockAccount solids{"solids", "solid volume, all particles against those that came and went", "of the total"};
+    StockAccount solids{"solids", "solid volume, all particles against those that came and went",
+                        "of the most there were"};
 
     std::vector<const Account*> accounts() const { return {&momentum, &solid_volume, &gas_volume, &solids}; }
 

@@ -96,7 +96,23 @@ TEST(Ledger, FollowsTheGasVolumeAcrossTheBoundary)
     EXPECT_NEAR(ledger.gas_volume.residual(), 0, 1e-15);
     ledger.gas_volume.step = {3.5 / ranks, 0.1 / ranks, 0};  // came in, and is not there
     ledger.book();
-    EXPECT_NEAR(ledger.gas_volume.residual(), 0.1 / 3.5, 1e-15);
+    EXPECT_NEAR(ledger.gas_volume.residual(), 0.1 / 3.6, 1e-15);
+}
+
+TEST(Ledger, AVesselThatEndsEmptyIsJudgedByWhatItHeld)
+{
+    Ledger ledger(world());
+    const double ranks = world().size();
+    const auto residual_after = [&](double content, double in, double out) {
+        ledger.solids.step = {content / ranks, in / ranks, out / ranks};
+        ledger.book();
+        return ledger.solids.residual();
+    };
+    residual_after(0, 0, 0);
+    EXPECT_NEAR(residual_after(2, 2, 0), 0, 1e-15);
+    EXPECT_NEAR(residual_after(1e-9, 0, 2), 1e-9 / 2, 1e-15);  // there, and said to have gone
+    EXPECT_NEAR(residual_after(0, 0, 0), 0, 1e-15);            // all of it, now
+    EXPECT_NEAR(residual_after(0, 1, 0), 0.5, 1e-15);          // came in, and nothing is there
 }
 
 TEST(Ledger, ForgetsTheNumbersOfAStepThatIsBooked)

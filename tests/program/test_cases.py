@@ -7,6 +7,7 @@ papers, so that they test coupler/forces/drag too."""
 
 import math
 import os
+import re
 import subprocess
 import sys
 import unittest
@@ -219,6 +220,61 @@ class SnappyVessel(WithBooks):
         # the lower half is carried by eight times the velocity that a bed begins to float at, against gravity's -0.5 m/s
         lower = end["position"][:, 2] < numpy.median(end["position"][:, 2])
         self.assertGreater(end["velocity"][lower, 2].mean(), 0)
+
+
+class HopperFeed(WithBooks):
+    """Who is poured in, and who the outlet deletes, are counted as LIGGGHTS counts them, and what flows out is Beverloo's."""
+
+    def counted(self, done, weight=1):
+        with done.results() as file:
+            ledger, here = {name: column[:] for name, column in file["/ledger"].items()}, file["/series/particles"][-1]
+            self.assertLess(ledger["solids_residual"].max(), 1e-12)
+        self.books_close(done)
+        came, went = ledger["inserted"], ledger["deleted_by_mesh"]
+        self.assertEqual(here, came[-1] - went[-1])
+        for cause in ("deleted_by_script", "left_through_boundary", "left_gas_mesh"):
+            self.assertEqual(ledger[cause][-1], 0, cause)
+        return ledger, came, went
+
+    def listed(self, done):
+        """Particles there, crossed, deleted, in LIGGGHTS's log at the end."""
+        rows = re.findall(r"^ +\d+ +(\d+) +\S+ +(\d+) +(\d+) *$", support.read(done.path("dem/log.liggghts")), re.M)
+        return [int(number) for number in rows[-1]]
+
+    def test_every_method(self):
+        """The first have fallen through the orifice after 0.09 s."""
+        for method, weight in (("DEM", 1), ("TDHS", 1), ("CGPM", 2), ("CGHS", 2), ("MPPIC", 2)):
+            for ranks in (1, 2):
+                with self.subTest(method=method, ranks=ranks):
+                    folder = self.prepared("hopper-feed", f"{method}{ranks}", ranks, method=method, weight=weight, until=0.09)
+                    self.edit(folder, "dem/in.liggghts", r"^thermo .*$", "thermo 1")
+                    done = self.run_case(folder, ranks)
+                    _, came, went = self.counted(done)
+                    self.assertGreater(came[-1], 900 / weight)
+                    self.assertGreater(went[-1], 20 / weight)
+                    there, crossed, deleted = self.listed(done)
+                    self.assertEqual([there, deleted], [came[-1] - went[-1], went[-1]])
+                    self.assertGreaterEqual(crossed, deleted)  # by those that the next search for neighbours deletes
+
+    def test_flows_out_by_beverloos_law(self):
+        """Beverloo, Leniger and van de Velde, Chem. Eng. Sci. 15 (1961) 260."""
+        folder = self.prepared("hopper-feed", until=0.7)
+        p = support.parameters(folder)
+        done = self.run_case(folder)
+        ledger, came, went = self.counted(done)
+        self.assertEqual(came[-1], p["particleCount"])
+        time, flow_out = ledger["time"], ledger["deleted_by_mesh_volume"] * p["particleDensity"]
+        begin, end = 0.45, 0.7  # fed, and the orifice still covered
+        flow = numpy.diff(numpy.interp([begin, end], time, flow_out))[0] / (end - begin)
+        packed = 0.55 * p["particleDensity"]  # in the lower cylinder, 0.54 to 0.57
+        law = 0.58 * packed * math.sqrt(p["gravity"]) * (2 * p["orificeRadius"] - 1.4 * p["diameter"]) ** 2.5
+        print(f"{flow:.4g} kg/s flow out, {law:.4g} by Beverloo's law")
+        # its constants are given as 0.55 to 0.65 and 1 to 2, which is -17 to +32 % here
+        self.assertAlmostEqual(flow / law, 1, delta=0.15)
+        with done.results() as file:
+            drop = file["/series/pressure_drop"][:]
+        # 2 Pa or so; a batch of 240 that came as a change of voidage would give 1e2
+        self.assertLess(abs(drop).max(), 6)
 
 
 if __name__ == "__main__":
