@@ -126,8 +126,10 @@ void Hdf5File::set_attribute(const std::string& path, const std::string& name, c
     replace_attribute(object(path), name, H5T_NATIVE_DOUBLE, space(shape), values.data());
 }
 
-void Hdf5File::append(const std::string& path, const std::string& unit, const std::vector<double>& values)
+Hdf5File::Column& Hdf5File::column(const std::string& path, const std::string& unit)
 {
+    const auto found = columns_.find(path);
+    if (found != columns_.end()) return found->second;
     if (!there(file_, path)) {
         const hsize_t none = 0, unlimited = H5S_UNLIMITED;
         const Hdf5Handle shape(H5Screate_simple(1, &none, &unlimited), H5Sclose, "a data space");
@@ -138,17 +140,22 @@ void Hdf5File::append(const std::string& path, const std::string& unit, const st
             H5Dclose, path);
         write_unit(made, unit);
     }
-    const Hdf5Handle data_set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, path);
-    hsize_t old_count = 0;
-    {
-        const Hdf5Handle shape(H5Dget_space(data_set), H5Sclose, "a data space");
-        H5Sget_simple_extent_dims(shape, &old_count, nullptr);
-    }
-    const hsize_t added = values.size(), count = old_count + added;
-    demand(H5Dset_extent(data_set, &count), path);
-    const Hdf5Handle target(H5Dget_space(data_set), H5Sclose, "a data space");
-    H5Sselect_hyperslab(target, H5S_SELECT_SET, &old_count, nullptr, &added, nullptr);
-    demand(H5Dwrite(data_set, H5T_NATIVE_DOUBLE, space({added}), target, H5P_DEFAULT, values.data()), path);
+    Hdf5Handle data_set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, path);
+    hsize_t rows = 0;
+    const Hdf5Handle shape(H5Dget_space(data_set), H5Sclose, "a data space");
+    H5Sget_simple_extent_dims(shape, &rows, nullptr);
+    return columns_.emplace(path, Column{std::move(data_set), rows}).first->second;
+}
+
+void Hdf5File::append(const std::string& path, const std::string& unit, const std::vector<double>& values)
+{
+    Column& to = column(path, unit);
+    const hsize_t added = values.size(), count = to.rows + added;
+    demand(H5Dset_extent(to.data_set, &count), path);
+    const Hdf5Handle target(H5Dget_space(to.data_set), H5Sclose, "a data space");
+    H5Sselect_hyperslab(target, H5S_SELECT_SET, &to.rows, nullptr, &added, nullptr);
+    demand(H5Dwrite(to.data_set, H5T_NATIVE_DOUBLE, space({added}), target, H5P_DEFAULT, values.data()), path);
+    to.rows = count;
 }
 
 void Hdf5File::write_rows(const std::string& path, const std::string& unit, hid_t type, const void* data,

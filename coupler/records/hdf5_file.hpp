@@ -4,6 +4,7 @@
 #include <hdf5.h>
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -67,10 +68,18 @@ public:
 private:
     Hdf5File(Hdf5Handle file, bool collective) : file_(std::move(file)), collective_(collective) {}
 
+    /// A data set that append() makes longer; left open, since opening takes longer than appending.
+    struct Column {
+        Hdf5Handle data_set;
+        hsize_t rows;
+    };
+
     Hdf5Handle object(const std::string& path);
+    Column& column(const std::string& path, const std::string& unit);
 
     Hdf5Handle file_;
     bool collective_;
+    std::map<std::string, Column> columns_;  ///< by path
 };
 
 }  // namespace interphase

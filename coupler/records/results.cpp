@@ -8,9 +8,9 @@ namespace interphase {
 
 namespace {
 
-// Rows are on disk a quarter of a second after they are due, or at the end of the step where steps take longer. A disk
-// that is slow gets a fiftieth of the time.
-constexpr double patience = 0.25, least_ratio = 50;
+constexpr double promised = 1;  // what rows wait at most [s]
+constexpr double patience = 0.4;
+constexpr double least_ratio = 50;  // a disk that is slow gets a fiftieth of the time
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -55,7 +55,13 @@ void Results::keep_text(const std::string& path, const std::string& text)
     if (file_) file_->change([=](Hdf5File& file) { file.write_text(path, text); });
 }
 
-bool Results::flush_due() const { return rows_wait_ && now() - last_flush_ > std::max(patience, least_ratio * cost_); }
+bool Results::flush_due()
+{
+    const double at = now(), step = at - last_step_, waited = at - last_flush_;
+    last_step_ = at;
+    if (!rows_wait_ || waited < least_ratio * cost_) return false;
+    return waited > patience || waited + 2 * step > promised;
+}
 
 void Results::flush()
 {

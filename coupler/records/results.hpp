@@ -36,9 +36,9 @@ public:
     /// A text as a data set of its own, e.g. "/meta/inputs/system/controlDict", which can be described like a group.
     void keep_text(const std::string& path, const std::string& text);
 
-    /// To be called after each step: whether rows have waited so long that flush() is due for them to be on disk within
-    /// a second, though the next step should take three times as long as the ones before.
-    bool flush_due() const;
+    /// To be called after each step: whether flush() is due for the rows so far to be on disk within a second, though the
+    /// next step should take twice as long as this one.
+    bool flush_due();
 
     /// All of it is in the file then.
     void flush();
@@ -52,7 +52,8 @@ private:
     std::optional<TwinFile> file_;
     std::map<std::string, Column> columns_;  ///< by path; rows that are not in the file yet
     bool rows_wait_ = false;
-    double last_flush_ = 0, cost_ = 0;  ///< wall-clock time: when, and how long it took [s]
+    double last_flush_ = 0, last_step_ = 0;  ///< when, by the wall clock [s]
+    double cost_ = 0;                        ///< of the last flush, in wall-clock time [s]
 };
 
 }  // namespace interphase
