@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "records/hdf5_file.hpp"
 
-#include "base/user_error.hpp"
+#include "records/unwritten.hpp"
 
 namespace interphase {
 
@@ -33,8 +33,7 @@ Hdf5Handle space(const std::vector<hsize_t>& shape)
 /// `status` is what HDF5 returned for writing `what`.
 void demand(herr_t status, const std::string& what)
 {
-    if (status < 0)
-        throw UserError("HDF5 could not write " + what, "the case folder", "check that the disk is not full");
+    if (status < 0) throw unwritten("HDF5 could not write " + what, "the case folder");
 }
 
 void write_unit(hid_t data_set, const std::string& unit)
@@ -66,11 +65,7 @@ bool there(hid_t file, const std::string& path)
 
 Hdf5Handle::Hdf5Handle(hid_t id, herr_t (*close)(hid_t), const std::string& what) : id_(id), close_(close)
 {
-    if (id_ < 0)
-        throw UserError(
-            "HDF5 could not open or make " + what, "the case folder",
-            "check that the folder can be written, that the disk is not full, and that no other program holds "
-            "the file");
+    if (id_ < 0) throw unwritten("HDF5 could not open or make " + what, "the case folder");
 }
 
 Hdf5Handle::Hdf5Handle(Hdf5Handle&& other) noexcept : id_(other.id_), close_(other.close_) { other.id_ = -1; }

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "base/user_error.hpp"
 #include "records/hdf5_file.hpp"
+#include "records/unwritten.hpp"
 
 namespace interphase {
 
@@ -40,8 +40,7 @@ std::string item(const std::string& file, const std::string& name, std::size_t p
 void put_in_place(const std::string& part, const std::string& file)
 {
     if (std::rename(part.c_str(), file.c_str()) != 0)
-        throw UserError("it cannot be put in place: " + std::string(std::strerror(errno)), file,
-                        "check that the folder can be written and that the disk is not full");
+        throw unwritten("it cannot be put in place: " + std::string(std::strerror(errno)), file);
 }
 
 /// Snapshots of an earlier run, and what a killed one has left; nothing else that may be in the folder.
@@ -67,9 +66,7 @@ ParticleSnapshots::ParticleSnapshots(const Communicator& comm) : comm_(comm)
         index_->publish();
         std::error_code error;
         std::filesystem::create_directories(folder, error);
-        if (error)
-            throw UserError("it cannot be made: " + error.message(), std::filesystem::absolute(folder).string(),
-                            "give yourself the right to write there, and see that no file has the name");
+        if (error) throw unwritten("it cannot be made: " + error.message(), std::filesystem::absolute(folder).string());
         remove_snapshots();
     }
     comm_.barrier();
@@ -146,9 +143,7 @@ void ParticleSnapshots::write_scene() const
           << "<Grid Name=\"snapshots\" GridType=\"Collection\" CollectionType=\"Temporal\">\n"
           << grids_ << "</Grid></Domain></Xdmf>\n";
     scene.close();
-    if (!scene)
-        throw UserError("it cannot be written: " + std::string(std::strerror(errno)), part,
-                        "check that the folder can be written and that the disk is not full");
+    if (!scene) throw unwritten("it cannot be written: " + std::string(std::strerror(errno)), part);
     put_in_place(part, scene_file);
 }
 

@@ -36,8 +36,8 @@ public:
     /// A text as a data set of its own, e.g. "/meta/inputs/system/controlDict", which can be described like a group.
     void keep_text(const std::string& path, const std::string& text);
 
-    /// To be called after each step: whether flush() is due for the rows so far to be on disk within a second, though the
-    /// next step should take twice as long as this one.
+    /// To be called after each step: whether flush() is due for the rows so far to be on disk within a second, though
+    /// the next step should take twice as long as this one.
     bool flush_due();
 
     /// All of it is in the file then.

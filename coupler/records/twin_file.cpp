@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "base/user_error.hpp"
+#include "records/unwritten.hpp"
 
 namespace interphase {
 
@@ -17,8 +17,7 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& path, const std::string& why)
 {
-    throw UserError("it cannot be put in place: " + why, path,
-                    "check that the folder can be written and that the disk is not full");
+    throw unwritten("it cannot be put in place: " + why, path);
 }
 
 void rename_file(const std::string& from, const std::string& to)
