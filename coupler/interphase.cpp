@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "base/exit_code.hpp"
 #include "base/stop_together.hpp"
 #include "base/version.hpp"
 #include "engines/liggghts/solids/liggghts_solids.hpp"
@@ -30,24 +31,25 @@ void show_keys()
     if (rank == 0) std::fputs(interphase::key_page(interphase::setting_keys()).c_str(), stdout);
 }
 
-/// The one place that knows both engines.
-void couple(int argc, char** argv)
+/// The one place that knows both engines. Returns the exit code.
+int couple(int argc, char** argv)
 {
     using namespace interphase;
     FoamCase gas_case(argc, argv);
     CoupledRun run(gas_case, [](const Communicator& comm, const Settings& settings) {
         return std::make_unique<LiggghtsSolids>(comm, settings);
     });
-    run.run();
+    const int signal = run.run();
+    return signal == 0 ? static_cast<int>(ExitCode::finished) : exit_code_of_signal(signal);
 }
 
-std::optional<std::string> run(int argc, char** argv)
+std::optional<std::string> run(int argc, char** argv, int& code)
 {
     try {
         if (asks_for_keys(argc, argv))
             show_keys();
         else
-            couple(argc, argv);
+            code = couple(argc, argv);
         return std::nullopt;
     } catch (const std::exception& error) {
         return error.what();
@@ -69,8 +71,9 @@ int main(int argc, char** argv)
     // results can be looked at while the run goes on: the file is complete after every flush
     setenv("HDF5_USE_FILE_LOCKING", "FALSE", 0);
     MPI_Init(&argc, &argv);
-    const std::optional<std::string> problem = run(argc, argv);
-    const int code = problem ? interphase::stop_together("interphase", *problem) : 0;
+    int code = 0;
+    const std::optional<std::string> problem = run(argc, argv, code);
+    if (problem) code = interphase::stop_together("interphase", *problem);
     std::fflush(nullptr);
     MPI_Finalize();
     std::_Exit(code);  // OpenFOAM's own exit would finalise MPI a second time

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "records/hdf5_file.hpp"
 
-#include "base/user_error.hpp"
+#include "records/unwritten.hpp"
 
 namespace interphase {
 
@@ -30,6 +30,12 @@ Hdf5Handle space(const std::vector<hsize_t>& shape)
     return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, "a data space"};
 }
 
+/// `status` is what HDF5 returned for writing `what`.
+void demand(herr_t status, const std::string& what)
+{
+    if (status < 0) throw unwritten("HDF5 could not write " + what, "the case folder");
+}
+
 void write_unit(hid_t data_set, const std::string& unit)
 {
     const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "a text type");
@@ -37,7 +43,7 @@ void write_unit(hid_t data_set, const std::string& unit)
     const Hdf5Handle scalar(H5Screate(H5S_SCALAR), H5Sclose, "a data space");
     const Hdf5Handle attribute(H5Acreate2(data_set, "unit", type, scalar, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
                                "a unit");
-    H5Awrite(attribute, type, unit.empty() ? "1" : unit.c_str());
+    demand(H5Awrite(attribute, type, unit.empty() ? "1" : unit.c_str()), "a unit");
 }
 
 void replace_attribute(hid_t object, const std::string& name, hid_t type, hid_t shape, const void* value)
@@ -45,7 +51,7 @@ void replace_attribute(hid_t object, const std::string& name, hid_t type, hid_t 
     if (H5Aexists(object, name.c_str()) > 0) H5Adelete(object, name.c_str());
     const Hdf5Handle attribute(H5Acreate2(object, name.c_str(), type, shape, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
                                "the attribute " + name);
-    H5Awrite(attribute, type, value);
+    demand(H5Awrite(attribute, type, value), "the attribute " + name);
 }
 
 bool there(hid_t file, const std::string& path)
@@ -59,11 +65,7 @@ bool there(hid_t file, const std::string& path)
 
 Hdf5Handle::Hdf5Handle(hid_t id, herr_t (*close)(hid_t), const std::string& what) : id_(id), close_(close)
 {
-    if (id_ < 0)
-        throw UserError(
-            "HDF5 could not open or make " + what, "the case folder",
-            "check that the folder can be written, that the disk is not full, and that no other program holds "
-            "the file");
+    if (id_ < 0) throw unwritten("HDF5 could not open or make " + what, "the case folder");
 }
 
 Hdf5Handle::Hdf5Handle(Hdf5Handle&& other) noexcept : id_(other.id_), close_(other.close_) { other.id_ = -1; }
@@ -79,14 +81,15 @@ Hdf5File Hdf5File::create(const std::string& path)
     return {Hdf5Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, path), false};
 }
 
-Hdf5File Hdf5File::create(const std::string& path, const Communicator& comm)
+Hdf5File Hdf5File::open(const std::string& path)
 {
-    return {Hdf5Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, shared_by(comm)), H5Fclose, path), true};
+    return {Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, path), false};
 }
 
-Hdf5File Hdf5File::open(const std::string& path, const Communicator& comm)
+Hdf5File Hdf5File::create(const std::string& path, const Communicator& comm)
 {
-    return {Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDWR, shared_by(comm)), H5Fclose, path), true};
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    return {Hdf5Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, shared_by(comm)), H5Fclose, path), true};
 }
 
 Hdf5Handle Hdf5File::object(const std::string& path)
@@ -118,8 +121,10 @@ void Hdf5File::set_attribute(const std::string& path, const std::string& name, c
     replace_attribute(object(path), name, H5T_NATIVE_DOUBLE, space(shape), values.data());
 }
 
-void Hdf5File::append(const std::string& path, const std::string& unit, const std::vector<double>& values)
+Hdf5File::Column& Hdf5File::column(const std::string& path, const std::string& unit)
 {
+    const auto found = columns_.find(path);
+    if (found != columns_.end()) return found->second;
     if (!there(file_, path)) {
         const hsize_t none = 0, unlimited = H5S_UNLIMITED;
         const Hdf5Handle shape(H5Screate_simple(1, &none, &unlimited), H5Sclose, "a data space");
@@ -130,17 +135,22 @@ void Hdf5File::append(const std::string& path, const std::string& unit, const st
             H5Dclose, path);
         write_unit(made, unit);
     }
-    const Hdf5Handle data_set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, path);
-    hsize_t old_count = 0;
-    {
-        const Hdf5Handle shape(H5Dget_space(data_set), H5Sclose, "a data space");
-        H5Sget_simple_extent_dims(shape, &old_count, nullptr);
-    }
-    const hsize_t added = values.size(), count = old_count + added;
-    H5Dset_extent(data_set, &count);
-    const Hdf5Handle target(H5Dget_space(data_set), H5Sclose, "a data space");
-    H5Sselect_hyperslab(target, H5S_SELECT_SET, &old_count, nullptr, &added, nullptr);
-    H5Dwrite(data_set, H5T_NATIVE_DOUBLE, space({added}), target, H5P_DEFAULT, values.data());
+    Hdf5Handle data_set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, path);
+    hsize_t rows = 0;
+    const Hdf5Handle shape(H5Dget_space(data_set), H5Sclose, "a data space");
+    H5Sget_simple_extent_dims(shape, &rows, nullptr);
+    return columns_.emplace(path, Column{std::move(data_set), rows}).first->second;
+}
+
+void Hdf5File::append(const std::string& path, const std::string& unit, const std::vector<double>& values)
+{
+    Column& to = column(path, unit);
+    const hsize_t added = values.size(), count = to.rows + added;
+    demand(H5Dset_extent(to.data_set, &count), path);
+    const Hdf5Handle target(H5Dget_space(to.data_set), H5Sclose, "a data space");
+    H5Sselect_hyperslab(target, H5S_SELECT_SET, &to.rows, nullptr, &added, nullptr);
+    demand(H5Dwrite(to.data_set, H5T_NATIVE_DOUBLE, space({added}), target, H5P_DEFAULT, values.data()), path);
+    to.rows = count;
 }
 
 void Hdf5File::write_rows(const std::string& path, const std::string& unit, hid_t type, const void* data,
@@ -167,8 +177,7 @@ void Hdf5File::write_rows(const std::string& path, const std::string& unit, hid_
     }
     const Hdf5Handle transfer = property_list(H5P_DATASET_XFER);
     if (collective_) H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
-    if (H5Dwrite(data_set, type, source, target, transfer, data) < 0)
-        throw UserError("HDF5 could not write " + path, "the case folder", "check that the disk is not full");
+    demand(H5Dwrite(data_set, type, source, target, transfer, data), path);
 }
 
 void Hdf5File::write_text(const std::string& path, const std::string& text)
@@ -179,10 +188,15 @@ void Hdf5File::write_text(const std::string& path, const std::string& text)
     const Hdf5Handle scalar(H5Screate(H5S_SCALAR), H5Sclose, "a data space");
     const Hdf5Handle data_set(
         H5Dcreate2(file_, path.c_str(), type, scalar, with_parent_groups(), H5P_DEFAULT, H5P_DEFAULT), H5Dclose, path);
-    if (H5Dwrite(data_set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()) < 0)
-        throw UserError("HDF5 could not write " + path, "the case folder", "check that the disk is not full");
+    demand(H5Dwrite(data_set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()), path);
 }
 
-void Hdf5File::flush() { H5Fflush(file_, H5F_SCOPE_GLOBAL); }
+void Hdf5File::link(const std::string& path, const std::string& file, const std::string& of_file)
+{
+    demand(H5Lcreate_external(file.c_str(), of_file.c_str(), file_, path.c_str(), with_parent_groups(), H5P_DEFAULT),
+           path);
+}
+
+void Hdf5File::flush() { demand(H5Fflush(file_, H5F_SCOPE_GLOBAL), "what was recorded"); }
 
 }  // namespace interphase

@@ -4,6 +4,7 @@
 #include <hdf5.h>
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -34,9 +35,12 @@ class Hdf5File {
 public:
     /// A new file by this rank alone.
     static Hdf5File create(const std::string& path);
-    /// A new or an existing file by all ranks.
+    /// An existing file by this rank alone, to be changed.
+    static Hdf5File open(const std::string& path);
+    /// A new file by all ranks.
     static Hdf5File create(const std::string& path, const Communicator& comm);
-    static Hdf5File open(const std::string& path, const Communicator& comm);
+
+    // What follows throws a UserError where it cannot be written.
 
     /// Makes the group where it is missing, and sets an attribute of it (replacing an older one).
     void set_attribute(const std::string& object, const std::string& name, const std::string& value);
@@ -55,15 +59,27 @@ public:
     /// Writes a new scalar data set of a text without zero bytes.
     void write_text(const std::string& path, const std::string& text);
 
+    /// Makes the link `path` to the object `of_file` of another file, which is looked for from this file's folder.
+    void link(const std::string& path, const std::string& file, const std::string& of_file);
+
+    /// The file is complete on disk then, for all who open it.
     void flush();
 
 private:
     Hdf5File(Hdf5Handle file, bool collective) : file_(std::move(file)), collective_(collective) {}
 
+    /// A data set that append() makes longer; left open, since opening takes longer than appending.
+    struct Column {
+        Hdf5Handle data_set;
+        hsize_t rows;
+    };
+
     Hdf5Handle object(const std::string& path);
+    Column& column(const std::string& path, const std::string& unit);
 
     Hdf5Handle file_;
     bool collective_;
+    std::map<std::string, Column> columns_;  ///< by path
 };
 
 }  // namespace interphase

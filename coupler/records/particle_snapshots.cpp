@@ -1,40 +1,75 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "records/particle_snapshots.hpp"
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
+#include <filesystem>
 #include <fstream>
 
 #include "records/hdf5_file.hpp"
+#include "records/unwritten.hpp"
 
 namespace interphase {
 
 namespace {
 
-constexpr const char* data_file = "particles.h5";
+constexpr const char* index_file = "particles.h5";
 constexpr const char* scene_file = "particles.xdmf";
+constexpr const char* folder = "snapshots";
 
-std::string group_name(int number)
+std::string number_text(int number)
 {
-    char name[32];
-    std::snprintf(name, sizeof name, "/snapshots/%06d", number);
-    return name;
+    char text[32];
+    std::snprintf(text, sizeof text, "%06d", number);
+    return text;
 }
 
-std::string item(const std::string& group, const std::string& name, std::size_t particles, int columns)
+std::string file_of(int number) { return std::string(folder) + "/" + number_text(number) + ".h5"; }
+
+std::string item(const std::string& file, const std::string& name, std::size_t particles, int columns)
 {
     const std::string type =
         name == "id" ? "NumberType=\"Int\" Precision=\"4\"" : "NumberType=\"Float\" Precision=\"8\"";
     std::string shape = std::to_string(particles);
     if (columns > 1) shape += " " + std::to_string(columns);
-    return "<DataItem Format=\"HDF\" " + type + " Dimensions=\"" + shape + "\">" + data_file + ":" + group + "/" +
-           name + "</DataItem>";
+    return "<DataItem Format=\"HDF\" " + type + " Dimensions=\"" + shape + "\">" + file + ":/" + name + "</DataItem>";
+}
+
+/// A file is complete under another name before it takes its own.
+void put_in_place(const std::string& part, const std::string& file)
+{
+    if (std::rename(part.c_str(), file.c_str()) != 0)
+        throw unwritten("it cannot be put in place: " + std::string(std::strerror(errno)), file);
+}
+
+/// Snapshots of an earlier run, and what a killed one has left; nothing else that may be in the folder.
+void remove_snapshots()
+{
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+        const std::string name = entry.path().filename().string();
+        const std::string ending = name.size() > 6 ? name.substr(6) : "";
+        if (name.find_first_not_of("0123456789") == 6 && (ending == ".h5" || ending == ".h5.part"))
+            std::filesystem::remove(entry.path(), ignored);
+    }
 }
 
 }  // namespace
 
 ParticleSnapshots::ParticleSnapshots(const Communicator& comm) : comm_(comm)
 {
-    Hdf5File::create(data_file, comm_).set_attribute("/snapshots", "unit_system", "SI");
+    if (comm_.is_master()) {
+        std::remove(scene_file);
+        index_.emplace(index_file);
+        index_->change([](Hdf5File& file) { file.set_attribute("/snapshots", "unit_system", "SI"); });
+        index_->publish();
+        std::error_code error;
+        std::filesystem::create_directories(folder, error);
+        if (error) throw unwritten("it cannot be made: " + error.message(), std::filesystem::absolute(folder).string());
+        remove_snapshots();
+    }
+    comm_.barrier();
 }
 
 void ParticleSnapshots::write(double time, const ParticleRows& rows)
@@ -47,21 +82,29 @@ void ParticleSnapshots::write(double time, const ParticleRows& rows)
         all += static_cast<std::size_t>(counts[static_cast<std::size_t>(rank)]);
     }
 
-    const std::string group = group_name(count_);
+    const std::string name = file_of(count_), part = name + ".part";
     {
-        Hdf5File file = Hdf5File::open(data_file, comm_);
-        file.set_attribute(group, "time", time);
+        Hdf5File file = Hdf5File::create(part, comm_);
+        file.set_attribute("/", "time", time);
         const std::size_t n = rows.id.size();
-        const auto write = [&](const char* name, const char* unit, const Scalars& values, std::size_t columns) {
-            file.write_rows(group + "/" + name, unit, H5T_NATIVE_DOUBLE, values.data(), n, columns, first, all);
+        const auto write = [&](const char* what, const char* unit, const Scalars& values, std::size_t columns) {
+            file.write_rows(std::string("/") + what, unit, H5T_NATIVE_DOUBLE, values.data(), n, columns, first, all);
         };
-        file.write_rows(group + "/id", "1", H5T_NATIVE_INT, rows.id.data(), n, 1, first, all);
+        file.write_rows("/id", "1", H5T_NATIVE_INT, rows.id.data(), n, 1, first, all);
         write("position", "m", rows.position, 3);
         write("velocity", "m/s", rows.velocity, 3);
         write("angular_velocity", "rad/s", rows.angular_velocity, 3);
         write("force", "N", rows.force, 3);
         write("diameter", "m", rows.diameter, 1);
         if (rows.weight) write("weight", "1", *rows.weight, 1);
+        file.flush();
+    }
+    comm_.barrier();  // all ranks' rows are in it
+    if (comm_.is_master()) {
+        put_in_place(part, name);
+        index_->change(
+            [name, link = "/snapshots/" + number_text(count_)](Hdf5File& file) { file.link(link, name, "/"); });
+        index_->publish();
     }
     ++count_;
     if (comm_.is_master()) write_xdmf(all, time, rows.weight.has_value());
@@ -69,7 +112,7 @@ void ParticleSnapshots::write(double time, const ParticleRows& rows)
 
 void ParticleSnapshots::write_xdmf(std::size_t particles, double time, bool with_weights)
 {
-    const std::string group = group_name(count_ - 1);
+    const std::string file = file_of(count_ - 1);
     char stamp[64];
     std::snprintf(stamp, sizeof stamp, "%.12g", time);
     grids_ += std::string("<Grid Name=\"particles\" GridType=\"Uniform\"><Time Value=\"") + stamp + "\"/>\n" +
@@ -79,24 +122,29 @@ void ParticleSnapshots::write_xdmf(std::size_t particles, double time, bool with
         write_scene();
         return;
     }
-    grids_ += "<Geometry GeometryType=\"XYZ\">" + item(group, "position", particles, 3) + "</Geometry>\n";
+    grids_ += "<Geometry GeometryType=\"XYZ\">" + item(file, "position", particles, 3) + "</Geometry>\n";
     for (const char* name : {"velocity", "angular_velocity", "force"})
         grids_ += std::string("<Attribute Name=\"") + name + "\" AttributeType=\"Vector\" Center=\"Node\">" +
-                  item(group, name, particles, 3) + "</Attribute>\n";
+                  item(file, name, particles, 3) + "</Attribute>\n";
     std::vector<const char*> scalars{"id", "diameter"};
     if (with_weights) scalars.push_back("weight");
     for (const char* name : scalars)
         grids_ += std::string("<Attribute Name=\"") + name + "\" AttributeType=\"Scalar\" Center=\"Node\">" +
-                  item(group, name, particles, 1) + "</Attribute>\n";
+                  item(file, name, particles, 1) + "</Attribute>\n";
     grids_ += "</Grid>\n";
     write_scene();
 }
 
 void ParticleSnapshots::write_scene() const
 {
-    std::ofstream(scene_file) << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\"><Domain>\n"
-                              << "<Grid Name=\"snapshots\" GridType=\"Collection\" CollectionType=\"Temporal\">\n"
-                              << grids_ << "</Grid></Domain></Xdmf>\n";
+    const std::string part = std::string(scene_file) + ".part";
+    std::ofstream scene(part);
+    scene << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\"><Domain>\n"
+          << "<Grid Name=\"snapshots\" GridType=\"Collection\" CollectionType=\"Temporal\">\n"
+          << grids_ << "</Grid></Domain></Xdmf>\n";
+    scene.close();
+    if (!scene) throw unwritten("it cannot be written: " + std::string(std::strerror(errno)), part);
+    put_in_place(part, scene_file);
 }
 
 }  // namespace interphase

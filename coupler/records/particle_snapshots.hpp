@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/communicator.hpp"
+#include "records/twin_file.hpp"
 
 namespace interphase {
 
@@ -17,10 +18,14 @@ struct ParticleRows {
     std::optional<Scalars> weight;
 };
 
-/// Writes particles.h5 (a group /snapshots/NNNNNN a time) and particles.xdmf, which ParaView opens. All ranks write
-/// their own rows; no rank gathers them.
+/// Writes particles.h5, in which each time is a group /snapshots/NNNNNN, and particles.xdmf, which ParaView opens. All
+/// ranks write their own rows; no rank gathers them.
+///
+/// A group is a link to snapshots/NNNNNN.h5, a file that is complete before it gets its name; link and xdmf follow. A
+/// run that is killed at any moment has whole snapshots only.
 class ParticleSnapshots {
 public:
+    /// What was there before goes. Collective.
     explicit ParticleSnapshots(const Communicator& comm);
 
     /// Collective.
@@ -31,6 +36,7 @@ private:
     void write_xdmf(std::size_t particles, double time, bool with_weights);
 
     Communicator comm_;
+    std::optional<TwinFile> index_;  ///< on rank 0
     int count_ = 0;
     std::string grids_;  ///< the part of the XDMF that lists the snapshots
 };

@@ -8,14 +8,15 @@
 #include <vector>
 
 #include "base/communicator.hpp"
-#include "records/hdf5_file.hpp"
+#include "records/twin_file.hpp"
 
 namespace interphase {
 
 /// results.h5: tables of numbers against time, and attributes that describe the run. Rank 0 writes; the other ranks'
-/// calls do nothing. Rows are kept until flush(), which leaves a complete file behind.
+/// calls do nothing. The file is whole at any moment (TwinFile).
 class Results {
 public:
+    /// What was there before goes with the first flush().
     explicit Results(const Communicator& comm);
 
     /// One number of a row: name, unit, value.
@@ -35,6 +36,11 @@ public:
     /// A text as a data set of its own, e.g. "/meta/inputs/system/controlDict", which can be described like a group.
     void keep_text(const std::string& path, const std::string& text);
 
+    /// To be called after each step: whether flush() is due for the rows so far to be on disk within a second, though
+    /// the next step should take three times as long as this one.
+    bool flush_due();
+
+    /// All of it is in the file then.
     void flush();
 
 private:
@@ -43,8 +49,11 @@ private:
         std::vector<double> rows;
     };
 
-    std::optional<Hdf5File> file_;
-    std::map<std::string, Column> columns_;  ///< by path
+    std::optional<TwinFile> file_;
+    std::map<std::string, Column> columns_;  ///< by path; rows that are not in the file yet
+    bool rows_wait_ = false;
+    double last_flush_ = 0, last_step_ = 0;  ///< when, by the wall clock [s]
+    double cost_ = 0;                        ///< of the last flush, in wall-clock time [s]
 };
 
 }  // namespace interphase

@@ -170,8 +170,9 @@ PopulationTotals CoupledRun::came_and_went() const
     return coupling_ ? coupling_->population() : without_gas_->of_all_ranks();
 }
 
-void CoupledRun::run()
+int CoupledRun::run()
 {
+    requests_.emplace();
     rows_.emplace(case_.time(), settings_.record_interval);
     if (settings_.snapshot_interval > 0) own_snapshots_.emplace(case_.time(), settings_.snapshot_interval);
     try {
@@ -179,6 +180,7 @@ void CoupledRun::run()
         while (case_.running())
             step();
         finish();
+        return stopped_by_;
     } catch (...) {
         tell_own_warnings();
         results_->describe("/meta", "simulated_time", case_.time());
@@ -241,8 +243,12 @@ void CoupledRun::record(bool at_start)
     stopwatch_.switch_to(Phase::output);
     const double now = case_.time();
     const bool row_due = rows_->due(now, gas_step_);
-    const bool line_due = comm_.any(report_.progress_due());
-    const bool at_end = now > case_.end_time() - 0.5 * gas_step_;
+    Scalars wishes{report_.progress_due() ? 1.0 : 0.0, static_cast<double>(requests_->signal())};
+    comm_.max(wishes);
+    const bool line_due = wishes[0] > 0;
+    const bool at_end_time = now > case_.end_time() - 0.5 * gas_step_;
+    if (!at_end_time) stopped_by_ = static_cast<int>(wishes[1]);
+    const bool at_end = at_end_time || stopped_by_ != 0;
     if (row_due || line_due || at_end) {
         last_seen_ =
             observe(comm_, *solids_, gas_.get(), coupling_ ? coupling_->voidage() : Scalars{}, settings_.pressure_taps);
@@ -256,6 +262,11 @@ void CoupledRun::record(bool at_start)
 
     const bool write_due = case_.write_due() || at_end;
     const bool snapshot_due = own_snapshots_ ? own_snapshots_->due(now, gas_step_) : write_due;
+    const bool long_to_come = snapshot_due || at_start || at_end || write_due;  // rows do not wait for it
+    if (long_to_come || results_->flush_due()) {
+        results_->describe("/meta", "simulated_time", now);
+        results_->flush();
+    }
     if (snapshot_due || at_start || at_end) snapshots_->write(now, rows_of(solids_->particles()));
     if (own_snapshots_) own_snapshots_->pass(now, gas_step_);
     if (write_due && !at_start) {
@@ -263,12 +274,15 @@ void CoupledRun::record(bool at_start)
         describe_population();
         results_->flush();
     }
+    if (stopped_by_ != 0) case_.stop();
 }
 
 void CoupledRun::finish()
 {
     stopwatch_.switch_to(Phase::output);
-    Report::Summary summary{case_.time(), {}, {}, came_and_went(), {}};
+    const std::string stopped_by = stopped_by_ == 0 ? "" : StopRequest::name_of(stopped_by_);
+    Report::Summary summary{case_.time(), stopped_by, {}, {}, came_and_went(), {}};
+    if (stopped_by_ != 0) results_->describe("/meta", "stopped_by", stopped_by);
     for (std::size_t phase = 0; phase < phase_names.size(); ++phase) {
         summary.seconds[phase] = comm_.max(stopwatch_.seconds(static_cast<Phase>(phase)));
         results_->describe("/timing", std::string(phase_names[phase]), summary.seconds[phase]);

@@ -12,6 +12,7 @@
 #include "run/population.hpp"
 #include "run/record_schedule.hpp"
 #include "run/report.hpp"
+#include "run/stop_request.hpp"
 #include "step/coupling_step.hpp"
 
 namespace interphase {
@@ -22,8 +23,9 @@ public:
     /// Throws a UserError for a case that cannot run. Collective, as are all members.
     CoupledRun(GasCase& gas_case, const MakeParticleEngine& make_particles);
 
-    /// Throws a UserError if the run has to stop early; what was recorded so far is kept.
-    void run();
+    /// Returns 0 at the end time, or the signal that ended it after a step (run/stop_request.hpp). Throws a UserError
+    /// if the run cannot go on; what was recorded so far is kept.
+    int run();
 
 private:
     void refuse_empty_scene() const;
@@ -57,6 +59,8 @@ private:
     Observation last_seen_;
     std::optional<RecordSchedule> rows_, own_snapshots_;  ///< the latter where snapshots do not follow the fields
     double gas_step_ = 0;
+    std::optional<StopRequest> requests_;  ///< while it runs
+    int stopped_by_ = 0;                   ///< a signal, the same on all ranks
     Population at_start_;
     std::optional<PopulationWatch> without_gas_;  ///< where no coupling step counts who comes and goes
 };

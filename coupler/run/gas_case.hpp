@@ -37,6 +37,9 @@ public:
     virtual bool running() = 0;
     virtual void advance_time(double step) = 0;
 
+    /// There is no time left from now on.
+    virtual void stop() = 0;
+
     virtual bool write_due() const = 0;  ///< of the fields, at the present time
     virtual void write() = 0;            ///< the fields, now
 

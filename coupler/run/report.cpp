@@ -68,7 +68,11 @@ void Report::summary(const Summary& of) const
 {
     if (!prints_) return;
     const double wall = wall_seconds();
-    std::printf("\nReached t = %.6g s in %s of wall time.\n", of.simulated_time, duration(wall).c_str());
+    if (of.stopped_by.empty())
+        std::printf("\nReached t = %.6g s in %s of wall time.\n", of.simulated_time, duration(wall).c_str());
+    else
+        std::printf("\nStopped by %s at t = %.6g s of %.6g s, after %s of wall time.\n", of.stopped_by.c_str(),
+                    of.simulated_time, end_time_, duration(wall).c_str());
     std::printf("\n  wall-clock time [s], the slowest rank's\n");
     for (std::size_t phase = 0; phase < phase_names.size(); ++phase)
         std::printf("    %-10s %10.2f  %5.1f %%\n", std::string(phase_names[phase]).c_str(), of.seconds[phase],

@@ -28,6 +28,7 @@ public:
 
     struct Summary {
         double simulated_time;
+        std::string stopped_by;                          ///< the signal's name; empty at the end time
         std::array<double, phase_names.size()> seconds;  ///< the slowest rank's, phase by phase
         std::vector<const Account*> balances;            ///< of a run in which the particles act on the gas
         PopulationTotals population;

@@ -85,10 +85,10 @@ def execute_from(here, folder, ranks=1):
     return Finished(folder, done.returncode, done.stdout, done.stderr)
 
 
-def start(folder, ranks=1, **changes):
-    """The same as execute(), running: a Popen in a session of its own."""
+def start(folder, ranks=1, options=(), **changes):
+    """The same as execute(), running, with more options of the program: a Popen in a session of its own."""
     return subprocess.Popen(
-        launch.command(PROGRAM, folder, ranks), cwd=folder, env=environment(**changes), stdin=subprocess.DEVNULL,
+        [*launch.command(PROGRAM, folder, ranks), *options], cwd=folder, env=environment(**changes), stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace", start_new_session=True,
     )
 

@@ -175,19 +175,19 @@ TEST(ParticleSnapshots, TheXdmfLeadsToEveryDataSet)
         EXPECT_TRUE(mentions("<Time Value=\"0\"/>"));
         EXPECT_TRUE(mentions("<Time Value=\"0.125\"/>"));
         for (int snapshot = 0; snapshot < 2; ++snapshot) {
-            const std::string group = "/snapshots/00000" + std::to_string(snapshot);
+            const std::string file = "snapshots/00000" + std::to_string(snapshot) + ".h5";
             const std::string n = std::to_string(all_ids(snapshot).size());
             EXPECT_TRUE(mentions("NumberOfElements=\"" + n + "\"/>"));
             if (n == "0") {  // one rank has nobody in the second: no array without rows
-                EXPECT_FALSE(mentions(group));
+                EXPECT_FALSE(mentions(file));
                 EXPECT_TRUE(mentions("<Geometry GeometryType=\"XYZ\"/>"));
                 continue;
             }
             for (const char* name : {"id", "diameter"})
-                EXPECT_TRUE(mentions("Dimensions=\"" + n + "\">particles.h5:" + group + "/" + name + "</DataItem>"))
+                EXPECT_TRUE(mentions("Dimensions=\"" + n + "\">" + file + ":/" + name + "</DataItem>"))
                     << name;
             for (const char* name : {"position", "velocity", "angular_velocity", "force"})
-                EXPECT_TRUE(mentions("Dimensions=\"" + n + " 3\">particles.h5:" + group + "/" + name + "</DataItem>"))
+                EXPECT_TRUE(mentions("Dimensions=\"" + n + " 3\">" + file + ":/" + name + "</DataItem>"))
                     << name;
         }
         const auto count = [&](const std::string& part) {

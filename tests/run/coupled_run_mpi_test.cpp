@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <csignal>
 #include <fstream>
 #include <numeric>
 
@@ -58,7 +59,7 @@ protected:
             engine = made.get();
             return made;
         });
-        coupled.run();
+        ended_by = coupled.run();
         advances = engine->advances;
     }
 
@@ -83,6 +84,7 @@ protected:
     Scalars to_come;
     FakeEngine* engine = nullptr;
     std::vector<int> advances;
+    int ended_by = 0;
 };
 
 TEST_F(CoupledRunTest, GoesToTheEndInLockstep)
@@ -148,6 +150,45 @@ TEST_F(CoupledRunTest, TellsTheGasStepInWhichSomethingWentWrongAndKeepsTheRecord
     const OpenFile results("results.h5");
     EXPECT_EQ(results.doubles("/series/time").size(), 3u);
     EXPECT_NEAR(results.attribute("/meta", "simulated_time").at(0), 0.04, 1e-9);
+}
+
+TEST_F(CoupledRunTest, EndsAfterTheStepInWhichOneRankIsAskedTo)
+{
+    for (const int signal : {SIGINT, SIGTERM, SIGUSR2}) {
+        int solved = 0;
+        the_case.end = 0.1;
+        the_case.now = 0;
+        the_case.steps.clear();
+        the_case.written.clear();
+        the_case.prepare = [&](FakeCaseGas& gas) {
+            gas.on_solve = [&] {
+                if (++solved == 4 && world().rank() == world().size() - 1) std::raise(signal);
+            };
+        };
+        says({{"records", Block{{"interval", 0.01}}}});
+        run();
+        EXPECT_EQ(ended_by, signal);
+        EXPECT_EQ(the_case.steps.size(), 4u);
+        EXPECT_EQ(the_case.written.size(), 1u);
+        if (!world().is_master()) continue;
+        const OpenFile results("results.h5"), particles("particles.h5");
+        EXPECT_EQ(results.doubles("/series/time").size(), 4u);
+        EXPECT_NEAR(results.attribute("/meta", "simulated_time").at(0), 0.04, 1e-9);
+        EXPECT_EQ(results.word("/meta", "stopped_by").substr(0, 3), "SIG");
+        EXPECT_TRUE(particles.has("/snapshots/000001"));
+    }
+}
+
+TEST_F(CoupledRunTest, ASecondSignalEndsAtOnce)
+{
+    if (world().size() > 1) GTEST_SKIP() << "the death test starts a process without ranks";
+    the_case.prepare = [&](FakeCaseGas& gas) {
+        gas.on_solve = [] {
+            std::raise(SIGINT);
+            std::raise(SIGTERM);
+        };
+    };
+    EXPECT_EXIT(run(), testing::KilledBySignal(SIGTERM), "");
 }
 
 TEST_F(CoupledRunTest, RefusesAnEmptyScene)

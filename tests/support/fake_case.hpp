@@ -95,6 +95,7 @@ public:
         steps.push_back(by);
         now += by;
     }
+    void stop() override { end = now; }
     bool write_due() const override
     {
         const double times = now / write_interval;

@@ -53,6 +53,46 @@ class Bench(unittest.TestCase):
         return done
 
 
+class Torn(Bench):
+    """What a full disk or a copy that was cut leaves: the rest is drawn, with a word."""
+
+    SCENE = [(t, [[0.1, 0.1, 0.1]], [t], [0.05]) for t in (0.0, 0.1, 0.2)]
+
+    def test_a_snapshot_without_its_file(self):
+        self.particles(self.SCENE)
+        with h5py.File(os.path.join(self.run_folder, "particles.h5"), "a") as file:
+            file["snapshots/000003"] = h5py.ExternalLink("snapshots/000003.h5", "/")
+        self.assertRegex(self.picture().stderr, "snapshot 000003 is torn .* left out")
+
+    def test_a_snapshot_whose_file_was_cut(self):
+        self.particles(self.SCENE)
+        os.mkdir(os.path.join(self.run_folder, "snapshots"))
+        path = os.path.join(self.run_folder, "snapshots/000003.h5")
+        with h5py.File(path, "w") as file:
+            file.attrs["time"] = 0.3
+            file["position"] = np.zeros((1000, 3))
+        os.truncate(path, os.path.getsize(path) - 1000)
+        with h5py.File(os.path.join(self.run_folder, "particles.h5"), "a") as file:
+            file["snapshots/000003"] = h5py.ExternalLink("snapshots/000003.h5", "/")
+        self.assertRegex(self.picture("--time", "0.3").stderr, "snapshot 000003 is torn .* left out")
+
+    def test_a_last_snapshot_of_which_a_part_is_there(self):
+        self.particles(self.SCENE)
+        with h5py.File(os.path.join(self.run_folder, "particles.h5"), "a") as file:
+            group = file.create_group("snapshots/000003")
+            group["position"] = np.zeros((1, 3))
+        self.assertRegex(self.picture("--series").stderr, "snapshot 000003 is torn .* left out")
+        self.assertEqual(len(os.listdir(os.path.join(self.run_folder, "frames"))), 3)
+
+    def test_rows_of_which_a_column_is_shorter(self):
+        self.particles(self.SCENE)
+        self.results(series=True)
+        with h5py.File(os.path.join(self.run_folder, "results.h5"), "a") as file:
+            del file["series/pressure_drop"]
+            file["series/pressure_drop"] = np.full(97, 1000.0)
+        self.assertRegex(self.picture().stderr, "/series has 97 whole rows; of its last 3 columns are missing")
+
+
 class Files(Bench):
     SCENE = [(t, [[0.1, 0.1, 0.1]], [t], [0.05]) for t in (0.0, 0.1, 0.2, 0.3, 0.4, 0.5)]
 

@@ -423,6 +423,38 @@ class Execution(Bench):
                 self.assertIn(f"stopping on {name}", out)
                 self.assertIn(f"stopping on {name}", read(self.out, "log.interphase"))
 
+    def stopped(self, trap, *options):
+        """tools/run on a program that does `trap` on SIGUSR2, asked to stop by SIGINT: exit code, output, errors."""
+        self.binary = self.program("interphase", f"trap '{trap}' USR2\necho ready\nwhile :; do sleep 0.05; done")
+        self.program("mpirun", 'while [ "$1" != -parallel ]; do last=$1; shift; done; exec "$last" "$@"')
+        tool = subprocess.Popen(self.arguments("bed", "--overwrite", "--ranks", "2", *options), env=self.environment(),
+                                cwd=self.root, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(tool.kill)
+        while "ready" not in (line := tool.stdout.readline()):
+            self.assertTrue(line, f"ended before the program was ready: {tool.stderr.read()}" if not line else "")
+        time.sleep(0.1)
+        tool.send_signal(signal.SIGINT)
+        if not trap.endswith("exit 140"):
+            time.sleep(0.5)
+            tool.send_signal(signal.SIGINT)
+        out, err = tool.communicate(timeout=20)
+        return tool.returncode, out, err
+
+    def test_mpirun_would_end_the_ranks_so_it_hands_on_sigusr2(self):
+        """What there is, is made easy to look at; the exit code is that of the signal that tools/run got."""
+        code, out, err = self.stopped('echo stopping; mkdir -p "$3/processor0/0.5"; exit 140')
+        self.assertEqual(code, 128 + signal.SIGINT)
+        self.assertIn("stopping", out)
+        self.assertIn("stopped by SIGINT before its end", err)
+        self.assertTrue(os.path.exists(os.path.join(self.out, "bed.foam")))
+        self.assertEqual(json.loads(read(self.out, "run.json"))["exit_code"], 130)
+
+    def test_a_second_signal_ends_it_as_it_is(self):
+        code, _, err = self.stopped("echo not yet")
+        self.assertEqual(code, 128 + signal.SIGINT)
+        self.assertIn("stopped before its end", err)
+        self.assertFalse(os.path.exists(os.path.join(self.out, "bed.foam")))
+
     def test_quiet_prints_nothing_on_success(self):
         done = self.succeed("bed", "--quiet", "--no-picture")
         self.assertEqual((done.stdout, done.stderr), ("", ""))

@@ -17,7 +17,7 @@ CONTROL = "system/controlDict"
 # What a run leaves behind; not part of a case.
 LEFT_BY_A_RUN = (
     "processor[0-9]*", "processors[0-9]*", "postProcessing", "dynamicCode", "log.*", "*.foam", "run.json", "__pycache__",
-    "results.h5", "particles.h5", "particles.xdmf", "bed.png", "report.png", "frames",
+    "results.h5*", "particles.h5*", "particles.xdmf*", "snapshots", "bed.png", "report.png", "frames",
 )
 
 METHODS = ("DEM", "CGPM", "TDHS", "CGHS", "MPPIC", "PLUGIN")

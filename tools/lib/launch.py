@@ -93,13 +93,16 @@ def how_it_ended(returncode):
         return f"(killed by signal {-returncode})"
 
 
-def run(arguments, log, environment, folder, quiet=False):
+def run(arguments, log, environment, folder, quiet=False, passed_on=None):
     """Run the program, its output shown as it comes and kept in `log`; returns the exit code.
 
-    SIGINT, SIGTERM and SIGHUP go on to the program, which decides how to stop. It gets its own session, so
-    that a Ctrl-C reaches it once: mpirun takes a second one for an order to kill.
-    A program killed by signal n gives 128 + n, as in a shell.
+    SIGINT, SIGTERM and SIGHUP (as SIGTERM) go on to the program and are added to the list `passed_on`: it ends after the
+    step in progress, by a second one at once. mpirun ends its ranks for each of them, with an exit code of its own: the
+    first goes through it as SIGUSR2. The program gets its own session, so that a Ctrl-C reaches it once.
+    A program killed by signal n gives 128 + n, as in a shell, and so does one that has stopped for it.
     """
+    passed_on = [] if passed_on is None else passed_on
+    by_mpirun = os.path.basename(arguments[0]) == "mpirun"
     with open(log, "wb") as copy:
         try:
             program = subprocess.Popen(
@@ -110,7 +113,8 @@ def run(arguments, log, environment, folder, quiet=False):
             raise StepFailed(f"{arguments[0]} cannot be started: {error}", 127) from None
 
         def forward(number, _frame):
-            program.send_signal(signal.SIGTERM if number == signal.SIGHUP else number)
+            passed_on.append(signal.SIGTERM if number == signal.SIGHUP else signal.Signals(number))
+            program.send_signal(signal.SIGUSR2 if by_mpirun and len(passed_on) == 1 else passed_on[-1])
 
         before = {}
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
@@ -127,7 +131,10 @@ def run(arguments, log, environment, folder, quiet=False):
         finally:
             for number, handler in before.items():
                 signal.signal(number, handler)
-    return code if code >= 0 else 128 - code
+    code = code if code >= 0 else 128 - code
+    if by_mpirun and code == 128 + signal.SIGUSR2 and passed_on:
+        return 128 + passed_on[0]
+    return 128 + passed_on[-1] if by_mpirun and code != 0 and len(passed_on) > 1 else code
 
 
 def _show(chunk):

@@ -43,7 +43,10 @@ environment:
   INTERPHASE_PLUGIN_PATH   folders with plug-ins, separated by ':'
   WM_PROJECT_DIR   the OpenFOAM to use (default: Debian's, /usr/share/openfoam)
 
-exit code: the program's (0 only when the run reached its end); 2 where the command line or the case is refused;
+Ctrl-C (SIGINT) and SIGTERM end the run after the gas step in progress, with gas, summary and picture; a second one
+ends it at once.
+
+exit code: the program's (0 only when the run reached its end; 128 + n where signal n ended it); 2 where the command line or the case is refused;
 1 where a step before the program fails."""
 
 
@@ -265,8 +268,13 @@ def main():
     log = os.path.join(folder, "log.interphase")
     say(f"running\n  cd {folder}\n  {launch.as_typed(command, variables)}")
     started = time.time()
-    code = launch.run(command, log, environment, folder, given.quiet)
+    passed_on = []
+    code = launch.run(command, log, environment, folder, given.quiet, passed_on)
     write_record(folder, {**record, "exit_code": code, "wall_time": round(time.time() - started, 3)})
+    if len(passed_on) == 1 and code == 128 + passed_on[0]:
+        finish(folder, name, gas, given.ranks, not given.no_picture, environment, say)
+        print(f"tools/run: stopped by {passed_on[0].name} before its end. What it recorded is in {folder}", file=sys.stderr)
+        return code
     if code != 0:
         # Without --quiet the reason has been on the screen already.
         end = f". The end of it:\n{launch.last_lines(log)}" if given.quiet else ""

@@ -8,6 +8,7 @@ import numpy
 
 from lib.input_error import InputError
 from lib.particle_states import Frame, by_id
+from lib.whole_records import whole_rows, whole_snapshots
 
 PARTICLES, RESULTS = "particles.h5", "results.h5"
 DATASETS = {"position": "position", "velocity": "velocity", "angular_velocity": "spin", "force": "force"}
@@ -61,21 +62,13 @@ class Run:
         with open_h5(self.particles) as file:
             if "snapshots" not in file:
                 raise InputError(f"{self.particles}: no group /snapshots; is it the particles.h5 of a run?")
-            group = file["snapshots"]
-            times = []
-            for name in group:
-                where = f"{self.particles}:/snapshots/{name}"
-                try:
-                    times.append((float(group[name].attrs["time"]), name))
-                except (KeyError, TypeError, ValueError):
-                    raise InputError(f"{where}: no attribute `time` that is a number of seconds") from None
-            times.sort()
-            for (earlier, name), (later, other) in zip(times, times[1:]):
+            whole = whole_snapshots(file)
+            for (earlier, name, _), (later, other, _) in zip(whole, whole[1:]):
                 if not earlier < later:
                     raise InputError(f"{self.particles}: snapshots {name} and {other} both are of time {later!r} s")
-            for time, name in times:
+            for time, name, group in whole:
                 where = f"{self.particles}:/snapshots/{name} (t = {time:.9g} s)"
-                yield Frame(where, None, time, lambda group=group[name], where=where: self._particles(group, where, only))
+                yield Frame(where, None, time, lambda group=group, where=where: self._particles(group, where, only))
 
     @staticmethod
     def _particles(group, where, only=None):
@@ -105,7 +98,8 @@ class Run:
             if "series" not in file or "time" not in file["series"]:
                 return None
             group = file["series"]
-            time = numpy.asarray(group["time"][()], dtype=float)
+            rows = whole_rows(group)
+            time = numpy.asarray(group["time"][:rows], dtype=float)
             if time.ndim != 1 or not numpy.isfinite(time).all() or not (numpy.diff(time) > 0).all():
                 raise InputError(f"{self.results}: /series/time must be finite and ascend, found shape {time.shape}"
                                  f"{self._bad_time(time)}")
@@ -113,11 +107,7 @@ class Run:
             for name, dataset in group.items():
                 if name == "time" or not isinstance(dataset, h5py.Dataset) or dataset.dtype.kind not in "fiu":
                     continue
-                values = numpy.asarray(dataset[()], dtype=float)
-                if values.shape[:1] != time.shape:
-                    raise InputError(
-                        f"{self.results}: /series/{name} has shape {values.shape}, /series/time {time.shape}"
-                    )
+                values = numpy.asarray(dataset[:rows], dtype=float)
                 if values.ndim == 1:
                     found[name] = values
                 else:

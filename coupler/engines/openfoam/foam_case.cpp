@@ -29,6 +29,7 @@
 #include "engines/openfoam/unsolved_files.hpp"
 #include "error.H"
 #include "foamVersion.H"
+#include "records/earlier_records.hpp"
 
 namespace interphase {
 
@@ -102,6 +103,17 @@ void refuse_read_only_case(const std::filesystem::path& folder)
     }
 }
 
+/// A run begins its records anew: those of an earlier one are kept unless told otherwise.
+void refuse_to_overwrite(const std::filesystem::path& folder)
+{
+    const std::optional<std::string> earlier = earlier_records(folder);
+    if (!earlier) return;
+    throw UserError("the folder holds the records of an earlier run, which this one would replace: " + *earlier,
+                    std::filesystem::absolute(folder).lexically_normal().string(),
+                    "move them away, or start in another copy of the case (tools/run CASE --out DIR makes one); "
+                    "-overwrite replaces them");
+}
+
 /// A file of the case, from its folder on, that holds a dictionary; an empty one where there is no such file.
 class DictionaryFile {
 public:
@@ -143,6 +155,7 @@ FoamCase::FoamCase(int& argc, char**& argv) : parts_(std::make_unique<Parts>())
     const auto given = [&](const char* option) {
         return std::any_of(argv + 1, argv + argc, [option](const char* a) { return std::string(a) == option; });
     };
+    Foam::argList::addBoolOption("overwrite", "Replace the records of an earlier run in the case's folder");
     if (given("-help")) {
         Foam::argList::addNote("`interphase -help keys` lists the keys of system/couplingDict.");
         Foam::argList(argc, argv);  // shows it and exits
@@ -151,6 +164,7 @@ FoamCase::FoamCase(int& argc, char**& argv) : parts_(std::make_unique<Parts>())
     refuse_folder_without_case(folder);
     refuse_path_that_openfoam_cuts(folder);
     refuse_read_only_case(folder);
+    if (!given("-overwrite")) refuse_to_overwrite(folder);
     refuse_wrong_decomposition(folder);
     if (ranks > 1 && !given("-parallel"))
         throw UserError("the run has " + std::to_string(ranks) + " ranks, and no option -parallel", "the command line",
@@ -233,6 +247,8 @@ void FoamCase::advance_time(double step)
     parts_->time->setDeltaT(step, false);
     with_foam_errors([&] { ++(*parts_->time); });
 }
+
+void FoamCase::stop() { parts_->time->setEndTime(parts_->time->value()); }
 
 bool FoamCase::write_due() const { return parts_->time->writeTime(); }
 

@@ -34,6 +34,7 @@ public:
 
     bool running() override;  ///< and runs the function objects
     void advance_time(double step) override;
+    void stop() override;
 
     bool write_due() const override;  ///< by writeControl and writeInterval
     void write() override;

@@ -1,0 +1,29 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+# label: slow
+# processors: 2
+# timeout: 3600
+"""test_survival.py with more kills."""
+
+import os
+import sys
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+
+import test_survival  # noqa: E402
+
+
+class Kills(test_survival.Bed):
+    def test_of_the_only_rank(self):
+        self.check_kills(1, False, 100)
+
+    def test_of_one_rank_of_two(self):
+        self.check_kills(2, False, 100)
+
+    def test_of_mpirun(self):
+        self.check_kills(2, True, 20)
+
+
+if __name__ == "__main__":
+    unittest.main()
