@@ -70,6 +70,7 @@ void Communicator::fail_together(const std::optional<Problem>& problem) const
     Problem told = problem.value_or(Problem{});
     for (std::string* words : {&told.what, &told.where, &told.remedy, &told.when, &told.step})
         spread(*words, lowest);
+    MPI_Bcast(&told.kind, static_cast<int>(sizeof told.kind), MPI_BYTE, lowest, comm_);
     throw UserError(told);
 }
 

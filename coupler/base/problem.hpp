@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "base/exit_code.hpp"
+
 namespace interphase {
 
 /// Something the user can put right: what is wrong (with the value), where, what to do, and where it matters when.
@@ -10,6 +12,7 @@ struct Problem {
     std::string what, where, remedy;
     std::string when = "";  ///< it went wrong, and for how long
     std::string step = "";  ///< in which it ended the run
+    ExitCode kind = ExitCode::refused;
 
     /// As a user reads it: what, and a line for each of the others that says something.
     std::string message() const

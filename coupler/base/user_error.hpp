@@ -9,7 +9,7 @@
 
 namespace interphase {
 
-/// A problem that ends the run: the program prints it once and ends with exit code 1.
+/// A problem that ends the run: the program prints it once and ends with the exit code of its kind.
 class UserError : public std::runtime_error {
 public:
     explicit UserError(Problem problem) : std::runtime_error(problem.message()), problem_(std::move(problem)) {}
