@@ -41,7 +41,7 @@ void couple(int argc, char** argv)
     run.run();
 }
 
-std::optional<std::string> run(int argc, char** argv)
+std::optional<interphase::Failure> run(int argc, char** argv)
 {
     try {
         if (asks_for_keys(argc, argv))
@@ -50,7 +50,7 @@ std::optional<std::string> run(int argc, char** argv)
             couple(argc, argv);
         return std::nullopt;
     } catch (const std::exception& error) {
-        return error.what();
+        return interphase::failure_of(error);
     }
 }
 
@@ -69,9 +69,9 @@ int main(int argc, char** argv)
     // results can be looked at while the run goes on: the file is complete after every flush
     setenv("HDF5_USE_FILE_LOCKING", "FALSE", 0);
     MPI_Init(&argc, &argv);
-    const std::optional<std::string> problem = run(argc, argv);
-    const int code = problem ? interphase::stop_together("interphase", *problem) : 0;
+    const std::optional<interphase::Failure> failure = run(argc, argv);
+    if (failure) interphase::stop_together("interphase", *failure);
     std::fflush(nullptr);
     MPI_Finalize();
-    std::_Exit(code);  // OpenFOAM's own exit would finalise MPI a second time
+    std::_Exit(0);  // OpenFOAM's own exit would finalise MPI a second time
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/stop_together.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "records/provenance.hpp"
@@ -179,12 +180,23 @@ void CoupledRun::run()
         while (case_.running())
             step();
         finish();
-    } catch (...) {
-        tell_own_warnings();
-        results_->describe("/meta", "simulated_time", case_.time());
-        results_->flush();
+    } catch (const UserError& error) {
+        Problem problem = error.problem();
+        if (problem.kind == ExitCode::refused) problem.kind = ExitCode::diverged;  // it has run until here
+        keep_what_is_known(UserError(problem));
+        throw UserError(problem);
+    } catch (const std::exception& error) {
+        keep_what_is_known(error);
         throw;
     }
+}
+
+void CoupledRun::keep_what_is_known(const std::exception& error)
+{
+    stop_if_alone("interphase", failure_of(error));  // what follows is collective
+    tell_own_warnings();
+    results_->describe("/meta", "simulated_time", case_.time());
+    results_->flush();
 }
 
 double CoupledRun::wanted_gas_step() const
@@ -205,9 +217,15 @@ void CoupledRun::step()
         try {
             case_.with_own_errors([&] { coupling_->advance(planned.duration, planned.substeps); });
         } catch (const UserError& error) {
-            // the gas engine chokes on numbers that are not finite before the step gets to its own check
-            Problem problem = gas_->trouble().value_or(error.problem());
+            Problem problem = error.problem();
             problem.step = "in the gas step from t = " + text(start) + " s to " + text(case_.time()) + " s";
+            stop_if_alone("interphase", failure_of(UserError(problem)));  // what follows is collective
+            // the gas engine chokes on numbers that are not finite before the step gets to its own check
+            if (const std::optional<Problem> trouble = gas_->trouble()) {
+                const std::string step = problem.step;
+                problem = *trouble;
+                problem.step = step;
+            }
             throw UserError(problem);
         }
     } else {

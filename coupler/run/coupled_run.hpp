@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <exception>
 #include <memory>
 #include <optional>
 
@@ -42,6 +43,7 @@ private:
     double wanted_gas_step() const;
     void record(bool snapshot);
     void finish();
+    void keep_what_is_known(const std::exception& error);  ///< after it
 
     Communicator comm_;
     Stopwatch stopwatch_{Phase::setup};

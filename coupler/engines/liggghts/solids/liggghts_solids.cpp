@@ -86,7 +86,7 @@ LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& setting
 
 LiggghtsSolids::~LiggghtsSolids()
 {
-    lammps_close(lmp_);
+    if (!LastWords::heard_error()) lammps_close(lmp_);
     screen_.reset();
 }
 
