@@ -77,8 +77,8 @@ CoupledRun::CoupledRun(GasCase& gas_case, const MakeParticleEngine& make_particl
     gas_step_ = clock_.next(case_.gas_step(), 1e300).duration;
     check_scene();
 
-    const double steps = (case_.end_time() - case_.time() + gas_step_) / clock_.solid_step();
-    solids_->start(clock_.solid_step(), std::lround(steps), gas_ != nullptr);
+    end_time_ = case_.end_time();
+    solids_->start(clock_.solid_step(), steps_until(end_time_), gas_ != nullptr);
     if (gas_) {
         if ((gas_->gravity() - solids_->gravity()).norm() > 1e-6 * std::max(1.0, gas_->gravity().norm()))
             throw UserError("gas and particles feel different gravity: constant/g says " + text(gas_->gravity()) +
@@ -177,8 +177,12 @@ void CoupledRun::run()
     if (settings_.snapshot_interval > 0) own_snapshots_.emplace(case_.time(), settings_.snapshot_interval);
     try {
         record(true);
-        while (case_.running())
+        while (case_.running()) {
+            follow_end_time();
             step();
+        }
+        follow_end_time();
+        if (!ended_) record(false);  // the end came nearer than the step before it was taken for
         finish();
     } catch (const UserError& error) {
         Problem problem = error.problem();
@@ -197,6 +201,21 @@ void CoupledRun::keep_what_is_known(const std::exception& error)
     tell_own_warnings();
     results_->describe("/meta", "simulated_time", case_.time());
     results_->flush();
+}
+
+long CoupledRun::steps_until(double end) const
+{
+    constexpr double no_end = 1e15;
+    return std::lround(std::min(no_end, (end - case_.time() + gas_step_) / clock_.solid_step()));
+}
+
+/// It can be changed in system/controlDict while it runs, by `stopAt` as well.
+void CoupledRun::follow_end_time()
+{
+    if (case_.end_time() == end_time_) return;
+    end_time_ = case_.end_time();
+    report_.end_at(end_time_);
+    solids_->end_after(std::max(0L, steps_until(end_time_)));
 }
 
 double CoupledRun::wanted_gas_step() const
@@ -261,6 +280,7 @@ void CoupledRun::record(bool at_start)
     const bool row_due = rows_->due(now, gas_step_);
     const bool line_due = comm_.any(report_.progress_due());
     const bool at_end = now > case_.end_time() - 0.5 * gas_step_;
+    ended_ = at_end;
     if (row_due || line_due || at_end) {
         last_seen_ =
             observe(comm_, *solids_, gas_.get(), coupling_ ? coupling_->voidage() : Scalars{}, settings_.pressure_taps);
@@ -274,7 +294,10 @@ void CoupledRun::record(bool at_start)
 
     const bool write_due = case_.write_due() || at_end;
     const bool snapshot_due = own_snapshots_ ? own_snapshots_->due(now, gas_step_) : write_due;
-    if (snapshot_due || at_start || at_end) snapshots_->write(now, rows_of(solids_->particles()));
+    if ((snapshot_due || at_start || at_end) && last_snapshot_ != now) {
+        snapshots_->write(now, rows_of(solids_->particles()));
+        last_snapshot_ = now;
+    }
     if (own_snapshots_) own_snapshots_->pass(now, gas_step_);
     if (write_due && !at_start) {
         if (gas_) case_.write();

@@ -40,6 +40,8 @@ private:
     void describe_population();
     PopulationTotals came_and_went() const;
     void step();
+    void follow_end_time();
+    long steps_until(double end) const;
     double wanted_gas_step() const;
     void record(bool snapshot);
     void finish();
@@ -59,6 +61,9 @@ private:
     Observation last_seen_;
     std::optional<RecordSchedule> rows_, own_snapshots_;  ///< the latter where snapshots do not follow the fields
     double gas_step_ = 0;
+    double end_time_ = 0;            ///< as the engine of the particles knows it [s]
+    bool ended_ = false;             ///< the end of the run has been recorded
+    double last_snapshot_ = -1e300;  ///< [s]
     Population at_start_;
     std::optional<PopulationWatch> without_gas_;  ///< where no coupling step counts who comes and goes
 };
