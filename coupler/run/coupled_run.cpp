@@ -175,6 +175,7 @@ void CoupledRun::run()
 {
     rows_.emplace(case_.time(), settings_.record_interval);
     if (settings_.snapshot_interval > 0) own_snapshots_.emplace(case_.time(), settings_.snapshot_interval);
+    const double start = case_.time();
     try {
         record(true);
         while (case_.running()) {
@@ -186,7 +187,7 @@ void CoupledRun::run()
         finish();
     } catch (const UserError& error) {
         Problem problem = error.problem();
-        if (problem.kind == ExitCode::refused) problem.kind = ExitCode::diverged;  // it has run until here
+        if (problem.kind == ExitCode::refused && case_.time() != start) problem.kind = ExitCode::diverged;
         keep_what_is_known(UserError(problem));
         throw UserError(problem);
     } catch (const std::exception& error) {
