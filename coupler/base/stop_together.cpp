@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/stop_together.hpp"
 
-#include <sys/statvfs.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <new>
 #include <thread>
 
+#include "base/disk_room.hpp"
 #include "base/user_error.hpp"
 
 /// What Open MPI's MPI_Abort does after it has told so in seven lines; not there in other MPIs.
@@ -34,18 +35,20 @@ bool all_ranks_arrive()
     return false;
 }
 
-/// A full disk shows in many ways, few of which name it.
-bool disk_is_full()
+int this_rank()
 {
-    struct statvfs of_case = {};
-    return statvfs(".", &of_case) == 0 && of_case.f_blocks > 0 && of_case.f_bavail == 0;
+    int rank = 0;
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    return rank;
 }
 
+/// A full disk shows in many ways, few of which name it.
 Failure with_cause(Failure failure)
 {
-    if (failure.code == ExitCode::refused || !disk_is_full()) return failure;
+    if (failure.code == ExitCode::disk || !disk_is_full(this_rank())) return failure;
     failure.code = ExitCode::disk;
-    failure.message += "\n  disk:   the one that holds the case has no room left";
+    failure.message +=
+        "\n  disk:   full, that of " + std::filesystem::current_path().string() + ", which may be the cause";
     return failure;
 }
 
@@ -54,13 +57,6 @@ void tell(const std::string& program, const std::string& message)
     std::fflush(nullptr);
     std::fprintf(stderr, "\n%s: error: %s\n", program.c_str(), message.c_str());
     std::fflush(stderr);
-}
-
-int this_rank()
-{
-    int rank = 0;
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    return rank;
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/disk_room.hpp"
+#include "base/disk_watch.hpp"
 #include "base/stop_together.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
@@ -295,16 +297,39 @@ void CoupledRun::record(bool at_start)
 
     const bool write_due = case_.write_due() || at_end;
     const bool snapshot_due = own_snapshots_ ? own_snapshots_->due(now, gas_step_) : write_due;
+    if (own_snapshots_) own_snapshots_->pass(now, gas_step_);
+    const bool writes = snapshot_due || at_start || at_end || write_due;
+    if (writes || line_due) refuse_full_disk();
+    if (!writes) return;
+    const DiskWatch watch(comm_.rank(), "interphase", full_disk().message());
     if ((snapshot_due || at_start || at_end) && last_snapshot_ != now) {
         snapshots_->write(now, rows_of(solids_->particles()));
         last_snapshot_ = now;
     }
-    if (own_snapshots_) own_snapshots_->pass(now, gas_step_);
     if (write_due && !at_start) {
         if (gas_) case_.write();
         describe_population();
         results_->flush();
     }
+    refuse_full_disk();
+}
+
+Problem CoupledRun::full_disk() const
+{
+    Problem problem;
+    problem.what = "the disk is full: what was written last may be cut off";
+    problem.where = std::filesystem::current_path().string() + ", at t = " + text(case_.time()) + " s";
+    problem.remedy =
+        "make room, or write less: writeInterval and purgeWrite in system/controlDict, records in "
+        "system/couplingDict, dumps in " +
+        settings_.script;
+    problem.kind = ExitCode::disk;
+    return problem;
+}
+
+void CoupledRun::refuse_full_disk() const
+{
+    comm_.fail_together(comm_.is_master() && disk_is_full(0) ? std::optional(full_disk()) : std::nullopt);
 }
 
 void CoupledRun::finish()

@@ -44,6 +44,8 @@ private:
     long steps_until(double end) const;
     double wanted_gas_step() const;
     void record(bool snapshot);
+    Problem full_disk() const;
+    void refuse_full_disk() const;
     void finish();
     void keep_what_is_known(const std::exception& error);  ///< after it
 
