@@ -6,7 +6,7 @@ include(CMakePackageConfigHelpers)
 # The headers of a plug-in: <interphase/plugin.hpp>; and what that and plug-ins of this tree include by "plugin/..." and "base/...".
 # Links, so that whoever sees the coupler's folder, too, sees one file and not two.
 set(_root "${PROJECT_BINARY_DIR}/include/interphase")
-set(_headers plugin/plugin.hpp plugin/solid_stress.hpp plugin/wall_gaps.hpp plugin/fingerprint.hpp base/vector.hpp base/text.hpp base/problem.hpp)
+set(_headers plugin/plugin.hpp plugin/solid_stress.hpp plugin/wall_gaps.hpp plugin/fingerprint.hpp base/vector.hpp base/text.hpp base/problem.hpp base/exit_code.hpp)
 foreach(_header IN LISTS _headers)
     get_filename_component(_folder "${_header}" DIRECTORY)
     file(MAKE_DIRECTORY "${_root}/${_folder}")
