@@ -8,8 +8,8 @@ namespace interphase {
 
 namespace {
 
-constexpr double promised = 1;  // what rows wait at most [s]
-constexpr double patience = 0.4;
+constexpr double promised = 1;      // what rows wait at most [s]
+constexpr double patience = 0.6;    // of steps that are short: a flush takes 1 ms for a hundred columns
 constexpr double least_ratio = 50;  // a disk that is slow gets a fiftieth of the time
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
@@ -60,7 +60,7 @@ bool Results::flush_due()
     const double at = now(), step = at - last_step_, waited = at - last_flush_;
     last_step_ = at;
     if (!rows_wait_ || waited < least_ratio * cost_) return false;
-    return waited > patience || waited + 2 * step > promised;
+    return waited > patience || waited + 3 * step > promised;
 }
 
 void Results::flush()

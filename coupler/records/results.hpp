@@ -37,7 +37,7 @@ public:
     void keep_text(const std::string& path, const std::string& text);
 
     /// To be called after each step: whether flush() is due for the rows so far to be on disk within a second, though
-    /// the next step should take twice as long as this one.
+    /// the next step should take three times as long as this one.
     bool flush_due();
 
     /// All of it is in the file then.
