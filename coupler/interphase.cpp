@@ -43,7 +43,7 @@ int couple(int argc, char** argv)
     return signal == 0 ? static_cast<int>(ExitCode::finished) : exit_code_of_signal(signal);
 }
 
-std::optional<std::string> run(int argc, char** argv, int& code)
+std::optional<interphase::Failure> run(int argc, char** argv, int& code)
 {
     try {
         if (asks_for_keys(argc, argv))
@@ -52,7 +52,7 @@ std::optional<std::string> run(int argc, char** argv, int& code)
             code = couple(argc, argv);
         return std::nullopt;
     } catch (const std::exception& error) {
-        return error.what();
+        return interphase::failure_of(error);
     }
 }
 
@@ -72,8 +72,8 @@ int main(int argc, char** argv)
     setenv("HDF5_USE_FILE_LOCKING", "FALSE", 0);
     MPI_Init(&argc, &argv);
     int code = 0;
-    const std::optional<std::string> problem = run(argc, argv, code);
-    if (problem) code = interphase::stop_together("interphase", *problem);
+    const std::optional<interphase::Failure> failure = run(argc, argv, code);
+    if (failure) interphase::stop_together("interphase", *failure);
     std::fflush(nullptr);
     MPI_Finalize();
     std::_Exit(code);  // OpenFOAM's own exit would finalise MPI a second time

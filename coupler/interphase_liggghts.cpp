@@ -53,7 +53,7 @@ CommandLine read_command_line(int argc, char** argv)
     return given;
 }
 
-std::optional<std::string> run(int argc, char** argv)
+std::optional<interphase::Failure> run(int argc, char** argv)
 {
     try {
         const CommandLine given = read_command_line(argc, argv);
@@ -65,7 +65,7 @@ std::optional<std::string> run(int argc, char** argv)
             std::fputs(usage, stdout);
         return std::nullopt;
     } catch (const std::exception& error) {
-        return error.what();
+        return interphase::failure_of(error);
     }
 }
 
@@ -74,9 +74,9 @@ std::optional<std::string> run(int argc, char** argv)
 int main(int argc, char** argv)
 {
     MPI_Init(&argc, &argv);
-    const std::optional<std::string> problem = run(argc, argv);
-    const int code = problem ? interphase::stop_together("interphase-liggghts", *problem) : 0;
+    const std::optional<interphase::Failure> failure = run(argc, argv);
+    if (failure) interphase::stop_together("interphase-liggghts", *failure);
     std::fflush(nullptr);
     MPI_Finalize();
-    return code;
+    return 0;
 }

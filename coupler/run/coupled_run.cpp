@@ -5,6 +5,9 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/disk_room.hpp"
+#include "base/disk_watch.hpp"
+#include "base/stop_together.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "records/provenance.hpp"
@@ -76,8 +79,8 @@ CoupledRun::CoupledRun(GasCase& gas_case, const MakeParticleEngine& make_particl
     gas_step_ = clock_.next(case_.gas_step(), 1e300).duration;
     check_scene();
 
-    const double steps = (case_.end_time() - case_.time() + gas_step_) / clock_.solid_step();
-    solids_->start(clock_.solid_step(), std::lround(steps), gas_ != nullptr);
+    end_time_ = case_.end_time();
+    solids_->start(clock_.solid_step(), steps_until(end_time_), gas_ != nullptr);
     if (gas_) {
         if ((gas_->gravity() - solids_->gravity()).norm() > 1e-6 * std::max(1.0, gas_->gravity().norm()))
             throw UserError("gas and particles feel different gravity: constant/g says " + text(gas_->gravity()) +
@@ -175,18 +178,49 @@ int CoupledRun::run()
     requests_.emplace();
     rows_.emplace(case_.time(), settings_.record_interval);
     if (settings_.snapshot_interval > 0) own_snapshots_.emplace(case_.time(), settings_.snapshot_interval);
+    const double start = case_.time();
     try {
         record(true);
-        while (case_.running())
+        while (case_.running()) {
+            follow_end_time();
             step();
+        }
+        if (stopped_by_ == 0) follow_end_time();
+        if (!ended_) record(false);  // the end came nearer than the step before it was taken for
         finish();
         return stopped_by_;
-    } catch (...) {
-        tell_own_warnings();
-        results_->describe("/meta", "simulated_time", case_.time());
-        results_->flush();
+    } catch (const UserError& error) {
+        Problem problem = error.problem();
+        if (problem.kind == ExitCode::refused && case_.time() != start) problem.kind = ExitCode::diverged;
+        keep_what_is_known(UserError(problem));
+        throw UserError(problem);
+    } catch (const std::exception& error) {
+        keep_what_is_known(error);
         throw;
     }
+}
+
+void CoupledRun::keep_what_is_known(const std::exception& error)
+{
+    stop_if_alone("interphase", failure_of(error));  // what follows is collective
+    tell_own_warnings();
+    results_->describe("/meta", "simulated_time", case_.time());
+    results_->flush();
+}
+
+long CoupledRun::steps_until(double end) const
+{
+    constexpr double no_end = 1e15;
+    return std::lround(std::min(no_end, (end - case_.time() + gas_step_) / clock_.solid_step()));
+}
+
+/// It can be changed in system/controlDict while it runs, by `stopAt` as well.
+void CoupledRun::follow_end_time()
+{
+    if (case_.end_time() == end_time_) return;
+    end_time_ = case_.end_time();
+    report_.end_at(end_time_);
+    solids_->end_after(std::max(0L, steps_until(end_time_)));
 }
 
 double CoupledRun::wanted_gas_step() const
@@ -207,9 +241,15 @@ void CoupledRun::step()
         try {
             case_.with_own_errors([&] { coupling_->advance(planned.duration, planned.substeps); });
         } catch (const UserError& error) {
-            // the gas engine chokes on numbers that are not finite before the step gets to its own check
-            Problem problem = gas_->trouble().value_or(error.problem());
+            Problem problem = error.problem();
             problem.step = "in the gas step from t = " + text(start) + " s to " + text(case_.time()) + " s";
+            stop_if_alone("interphase", failure_of(UserError(problem)));  // what follows is collective
+            // the gas engine chokes on numbers that are not finite before the step gets to its own check
+            if (const std::optional<Problem> trouble = gas_->trouble()) {
+                const std::string step = problem.step;
+                problem = *trouble;
+                problem.step = step;
+            }
             throw UserError(problem);
         }
     } else {
@@ -249,6 +289,7 @@ void CoupledRun::record(bool at_start)
     const bool at_end_time = now > case_.end_time() - 0.5 * gas_step_;
     if (!at_end_time) stopped_by_ = static_cast<int>(wishes[1]);
     const bool at_end = at_end_time || stopped_by_ != 0;
+    ended_ = at_end;
     if (row_due || line_due || at_end) {
         last_seen_ =
             observe(comm_, *solids_, gas_.get(), coupling_ ? coupling_->voidage() : Scalars{}, settings_.pressure_taps);
@@ -262,19 +303,44 @@ void CoupledRun::record(bool at_start)
 
     const bool write_due = case_.write_due() || at_end;
     const bool snapshot_due = own_snapshots_ ? own_snapshots_->due(now, gas_step_) : write_due;
-    const bool long_to_come = snapshot_due || at_start || at_end || write_due;  // rows do not wait for it
-    if (long_to_come || results_->flush_due()) {
+    if (own_snapshots_) own_snapshots_->pass(now, gas_step_);
+    const bool writes = snapshot_due || at_start || at_end || write_due;
+    if (writes || line_due) refuse_full_disk();
+    if (writes || results_->flush_due()) {  // rows do not wait for what takes long
         results_->describe("/meta", "simulated_time", now);
         results_->flush();
     }
-    if (snapshot_due || at_start || at_end) snapshots_->write(now, rows_of(solids_->particles()));
-    if (own_snapshots_) own_snapshots_->pass(now, gas_step_);
+    if (!writes) return;
+    const DiskWatch watch(comm_.rank(), "interphase", full_disk().message());
+    if ((snapshot_due || at_start || at_end) && last_snapshot_ != now) {
+        snapshots_->write(now, rows_of(solids_->particles()));
+        last_snapshot_ = now;
+    }
     if (write_due && !at_start) {
         if (gas_) case_.write();
         describe_population();
         results_->flush();
     }
+    refuse_full_disk();
     if (stopped_by_ != 0) case_.stop();
+}
+
+Problem CoupledRun::full_disk() const
+{
+    Problem problem;
+    problem.what = "the disk is full: what was written last may be cut off";
+    problem.where = std::filesystem::current_path().string() + ", at t = " + text(case_.time()) + " s";
+    problem.remedy =
+        "make room, or write less: writeInterval and purgeWrite in system/controlDict, records in "
+        "system/couplingDict, dumps in " +
+        settings_.script;
+    problem.kind = ExitCode::disk;
+    return problem;
+}
+
+void CoupledRun::refuse_full_disk() const
+{
+    comm_.fail_together(comm_.is_master() && disk_is_full(0) ? std::optional(full_disk()) : std::nullopt);
 }
 
 void CoupledRun::finish()

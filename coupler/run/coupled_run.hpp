@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <exception>
 #include <memory>
 #include <optional>
 
@@ -41,9 +42,14 @@ private:
     void describe_population();
     PopulationTotals came_and_went() const;
     void step();
+    void follow_end_time();
+    long steps_until(double end) const;
     double wanted_gas_step() const;
     void record(bool snapshot);
+    Problem full_disk() const;
+    void refuse_full_disk() const;
     void finish();
+    void keep_what_is_known(const std::exception& error);  ///< after it
 
     Communicator comm_;
     Stopwatch stopwatch_{Phase::setup};
@@ -61,6 +67,9 @@ private:
     double gas_step_ = 0;
     std::optional<StopRequest> requests_;  ///< while it runs
     int stopped_by_ = 0;                   ///< a signal, the same on all ranks
+    double end_time_ = 0;                  ///< as the engine of the particles knows it [s]
+    bool ended_ = false;                   ///< the end of the run has been recorded
+    double last_snapshot_ = -1e300;        ///< [s]
     Population at_start_;
     std::optional<PopulationWatch> without_gas_;  ///< where no coupling step counts who comes and goes
 };

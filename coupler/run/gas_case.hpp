@@ -27,7 +27,7 @@ public:
     virtual std::string engine() const = 0;  ///< name and version
 
     virtual double time() const = 0;      ///< [s]
-    virtual double end_time() const = 0;  ///< [s]
+    virtual double end_time() const = 0;  ///< [s]; may change while it runs, beyond all bounds, too
     virtual double gas_step() const = 0;  ///< as given [s]
     virtual bool adjusts_gas_step() const = 0;
     virtual double largest_courant_number() const = 0;  ///< that an adjusted step may reach

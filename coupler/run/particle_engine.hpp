@@ -40,6 +40,9 @@ public:
     /// Sets the step [s] and readies the run of about `steps` steps, with or without a gas. Collective.
     virtual void start(double solid_step, long steps, bool with_gas) = 0;
 
+    /// The end has moved: about `steps` steps are left. After start(). Collective.
+    virtual void end_after(long steps) = 0;
+
     /// What a user should know of the scene, which runs all the same: all that came up since the last call. After
     /// start(). Throws a UserError for what cannot go on. Collective.
     virtual std::vector<Problem> remarks() { return {}; }

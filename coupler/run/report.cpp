@@ -11,6 +11,7 @@ namespace interphase {
 namespace {
 
 constexpr double seconds_between_lines = 5;
+constexpr double unknown_end = 1e30;  // [s]
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -31,6 +32,15 @@ Report::Report(bool prints, double start_time, double end_time)
     : prints_(prints), start_time_(start_time), end_time_(end_time), wall_start_(now())
 {}
 
+void Report::end_at(double end_time)
+{
+    if (prints_ && end_time < unknown_end) {
+        std::printf("the end is now at t = %.6g s, no longer at %.6g s\n", end_time, end_time_);
+        std::fflush(stdout);
+    }
+    end_time_ = end_time;
+}
+
 double Report::wall_seconds() const { return now() - wall_start_; }
 
 void Report::head(const std::vector<std::pair<std::string, std::string>>& facts) const
@@ -49,9 +59,11 @@ void Report::progress(double time, const Observation& seen)
     last_line_ = now();
     if (!prints_) return;
     const double done = time - start_time_, wall = wall_seconds();
-    const double left = done > 0 ? wall * (end_time_ - time) / done : 0;
+    const bool known = end_time_ < unknown_end;
+    const double left = std::max(0.0, end_time_ - time);
+    const std::string eta = known ? duration(done > 0 ? wall * left / done : 0) : "?";
     std::printf("t = %-9.4g s  %3.0f %%  %9.3g s/s  ETA %-8s voidage %.3f..%.3f  Co %.2f  particles %ld\n", time,
-                100 * done / (end_time_ - start_time_), done > 0 ? done / wall : 0.0, duration(left).c_str(),
+                done > 0 && known ? 100 * done / (done + left) : 0.0, done > 0 ? done / wall : 0.0, eta.c_str(),
                 seen.lowest_voidage, seen.highest_voidage, seen.courant_number, seen.particles);
     std::fflush(stdout);
 }

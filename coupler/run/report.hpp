@@ -15,6 +15,9 @@ class Report {
 public:
     Report(bool prints, double start_time, double end_time);
 
+    /// The end has moved [s]; one beyond 1e30 s is not known.
+    void end_at(double end_time);
+
     void head(const std::vector<std::pair<std::string, std::string>>& facts) const;
 
     /// Prints if the last line is more than a few seconds old.

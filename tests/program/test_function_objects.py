@@ -108,7 +108,7 @@ class FunctionObjects(support.ProgramTest):
         for name, (text, expected) in REFUSED.items():
             with self.subTest(name):
                 done = self.box({name: text})
-                self.assertEqual(done.code, 1, done.text[-2000:])
+                self.assertIn(done.code, (1, 5), done.text[-2000:])  # what we, what OpenFOAM refuses
                 self.assertEqual(done.text.count("interphase: error:"), 1, done.text)
                 self.assertRegex(done.text, expected)
                 self.assertRegex(done.text, f"where:  system/controlDict, functions(/{name} of type {name})?")

@@ -120,6 +120,7 @@ public:
     Scalars to_come;               ///< radii [m]
     std::vector<Particle> coming;  ///< on this rank, in the next advance()
     std::vector<int> advances;     ///< substeps of each
+    std::vector<long> steps_left;  ///< as told when the end moved
 
     std::string version() const override { return "PointParticles 1"; }
     std::string plugins() const override { return "none"; }
@@ -128,6 +129,7 @@ public:
     double largest_diameter() const override { return diameter(); }
     double smallest_diameter() const override { return diameter(); }
     void start(double solid_step, long, bool) override { points_ = PointParticles(comm_, mine_, gravity_, solid_step); }
+    void end_after(long steps) override { steps_left.push_back(steps); }
     ParticleView particles() override { return points_.particles(); }
     Vector gravity() const override { return gravity_; }
     const std::vector<Departure>& departures() const override { return points_.departures(); }

@@ -7,6 +7,7 @@ Shell scripts stand in for interphase and OpenFOAM's programs, so no engine is n
 
 import json
 import os
+import re
 import runpy
 import shlex
 import shutil
@@ -21,7 +22,7 @@ import unittest
 REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 sys.path.insert(0, os.path.join(REPOSITORY, "tools"))
 
-from lib import case_folder, foam_file, launch  # noqa: E402
+from lib import case_folder, ending, foam_file, launch  # noqa: E402
 
 PARAMETERS = """// The scene's numbers
 method    CGPM;   // DEM | CGPM
@@ -399,6 +400,28 @@ class Execution(Bench):
         self.assertIn("NaN in U", done.stderr)
         self.assertIn(os.path.join(self.out, "log.interphase"), done.stderr)
         self.assertFalse(os.path.exists(os.path.join(self.out, "bed.foam")))
+
+    def test_the_cause_is_the_last_thing_on_the_screen(self):
+        """A launcher's banner buries it; where no message of the program is there, the banner is the cause."""
+        rule = "-" * 74
+        banner = f"{rule}\nmpirun noticed that process rank 1 with PID 0 on node n1 exited on signal 9 (Killed).\n{rule}"
+        message = "interphase: error: it broke\n  where:  here\n  remedy: mend it"
+        for quiet in ((), ("--quiet",)):
+            self.binary = self.program("interphase", f"echo '{message}'; echo '{banner}'; exit 4")
+            done = self.run_tool("bed", "--overwrite", *quiet)
+            self.assertEqual(done.returncode, 4)
+            self.assertIn("(exit code 4: LIGGGHTS ended with an error of its own)", done.stderr)
+            self.assertTrue(done.stderr.endswith(f"\n{message}\n"), done.stderr)
+        self.binary = self.program("interphase", f"echo '{banner}'; exit 137")
+        self.assertRegex(self.run_tool("bed", "--overwrite").stderr, r"killed by SIGKILL[^\0]*\n.*process rank 1 .*\n.*want of memory.*\n$")
+
+    def test_kinds_of_exit_code_are_those_of_the_program(self):
+        """The table of tools/run, that of the page, and the program's enum."""
+        header = read(REPOSITORY, "coupler/base/exit_code.hpp")
+        codes = {int(code) for code in re.findall(r"^ +\w+ = (\d+),", header, re.M)}
+        self.assertEqual(codes, {0, *ending.KINDS})
+        page = re.findall(r"^\| (\d+) \|", read(REPOSITORY, "tools/CLUSTERS.md"), re.M)
+        self.assertEqual({int(code) for code in page} - {130, 137, 139, 143}, codes | {2})
 
     def test_a_killed_program_is_no_success(self):
         self.binary = self.program("interphase", "kill -SEGV $$")

@@ -17,7 +17,7 @@ import time
 TOOLS = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 sys.path[0] = TOOLS  # not this folder: its statistics.py is not Python's
 
-from lib import case_folder, foam_file, launch, mesh_choice  # noqa: E402
+from lib import case_folder, ending, foam_file, launch, mesh_choice  # noqa: E402
 from lib.case_folder import CONTROL, COUPLING, PARAMETERS, CaseError  # noqa: E402
 
 REPOSITORY = os.path.dirname(TOOLS)
@@ -46,8 +46,8 @@ environment:
 Ctrl-C (SIGINT) and SIGTERM end the run after the gas step in progress, with gas, summary and picture; a second one
 ends it at once.
 
-exit code: the program's (0 only when the run reached its end; 128 + n where signal n ended it); 2 where the command line or the case is refused;
-1 where a step before the program fails."""
+exit code: the program's (0 only when the run reached its end; tools/CLUSTERS.md has the table); 2 where the command line
+or the case is refused; 1 where a step before the program fails."""
 
 
 def arguments():
@@ -276,11 +276,7 @@ def main():
         print(f"tools/run: stopped by {passed_on[0].name} before its end. What it recorded is in {folder}", file=sys.stderr)
         return code
     if code != 0:
-        # Without --quiet the reason has been on the screen already.
-        end = f". The end of it:\n{launch.last_lines(log)}" if given.quiet else ""
-        how = launch.how_it_ended(code if code < 128 else 128 - code)
-        print(f"tools/run: interphase stopped before its end {how}. What it recorded is kept in {folder}, "
-              f"its output in {log}{end}", file=sys.stderr)
+        print(f"tools/run: {ending.closing_words(code, log, folder, given.quiet)}", file=sys.stderr)
         return code
     finish(folder, name, gas, given.ranks, not given.no_picture, environment, say)
     return 0

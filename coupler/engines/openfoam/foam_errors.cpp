@@ -66,16 +66,26 @@ bool asks_for_what_is_not_there(const std::string& message)
            message.find("Unable to find ") != std::string::npos || message.find("No valid model") != std::string::npos;
 }
 
+namespace {
+
+UserError of_openfoam(Problem problem)
+{
+    problem.kind = ExitCode::openfoam;
+    return UserError(problem);
+}
+
+}  // namespace
+
 void with_foam_errors(const std::function<void()>& body, const std::function<std::string(const std::string&)>& place)
 {
     try {
         body();
     } catch (const Foam::IOerror& error) {
-        throw UserError(reworded(
+        throw of_openfoam(reworded(
             error.message(), std::string(error.ioFileName()) + ", line " + std::to_string(error.ioStartLineNumber())));
     } catch (const Foam::error& error) {
         const std::string message = error.message();
-        throw UserError(
+        throw of_openfoam(
             reworded(message, first_known(place(message), "OpenFOAM, " + std::string(error.functionName()))));
     }
 }

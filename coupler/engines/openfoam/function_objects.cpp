@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engines/openfoam/function_objects.hpp"
 
+#include <unistd.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -62,6 +64,8 @@ void show_at_exit()
     const Problem problem{"OpenFOAM stopped at a function object of the case:" + words, "system/controlDict, functions",
                           remedy_for(words)};
     std::fprintf(stderr, "\ninterphase: error: %s\n", problem.message().c_str());
+    std::fflush(nullptr);
+    _exit(static_cast<int>(ExitCode::openfoam));
 }
 
 const dictionary& functions_of(const Foam::Time& time)

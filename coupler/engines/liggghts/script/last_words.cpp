@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engines/liggghts/script/last_words.hpp"
 
+#include <dlfcn.h>
 #include <mpi.h>
+#include <unistd.h>
 
 #include <cerrno>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -13,9 +14,14 @@
 #include <fstream>
 #include <sstream>
 #include <string>
-#include <thread>
 
+#include "base/stop_together.hpp"
 #include "base/user_error.hpp"
+#include "comm.h"
+#include "compute.h"
+#include "error.h"
+#include "fix.h"
+#include "update.h"
 
 namespace interphase {
 
@@ -23,6 +29,7 @@ namespace {
 
 bool listening = false;
 bool speaking = false;
+bool heard = false;
 std::string own_words;  // the end of what LIGGGHTS said on this rank, where it is not the one with the log
 
 constexpr std::size_t most_own_words = 600;
@@ -46,24 +53,40 @@ std::deque<std::string> last_lines(std::istream& words)
     return last;
 }
 
-void show()
+std::string quoted(const std::deque<std::string>& lines)
 {
-    listening = speaking = false;
+    std::string all;
+    for (const std::string& line : lines)
+        all += "\n  | " + line;
+    return all;
+}
+
+/// What is known once LIGGGHTS has said that it stops, in the script or in a run.
+Problem last_words(bool in_run)
+{
     std::fflush(nullptr);  // of LIGGGHTS's own stream above all
-    std::ifstream log(LastWords::log_name);
-    std::istringstream own(own_words);
-    const bool from_log = own_words.empty();
-    if (from_log)
-        std::fprintf(stderr, "\ninterphase: error: LIGGGHTS stopped. The end of %s:\n", LastWords::log_name);
-    else
-        std::fprintf(stderr, "\ninterphase: error: LIGGGHTS stopped, on one rank only. Its last words there:\n");
-    for (const auto& line : last_lines(from_log ? static_cast<std::istream&>(log) : own))
-        std::fprintf(stderr, "  | %s\n", line.c_str());
-    if (from_log)
-        std::fprintf(stderr, "  remedy: the line before ERROR is the command of the script that it refers to\n");
-    else
-        std::fprintf(stderr, "  remedy: correct the script accordingly; the commands so far stand in %s\n",
-                     LastWords::log_name);
+    Problem problem;
+    problem.kind = ExitCode::liggghts;
+    const std::string log = LastWords::log_name;
+    if (own_words.empty()) {
+        std::ifstream file(log);
+        problem.what = "LIGGGHTS stopped. The end of " + log + ":" + quoted(last_lines(file));
+        problem.remedy = "the line before ERROR is the command of the script that it refers to";
+    } else {
+        std::istringstream own(own_words);
+        problem.what = "LIGGGHTS stopped, on one rank only. Its last words there:" + quoted(last_lines(own));
+        problem.remedy = "correct the script accordingly; the commands so far stand in " + log;
+    }
+    if (in_run) problem.remedy = "do what the words after ERROR ask for; what LIGGGHTS said before stands in " + log;
+    return problem;
+}
+
+/// Where LIGGGHTS ends the process by other ways than its errors.
+[[noreturn]] void stop_process()
+{
+    const Problem problem = last_words(true);
+    listening = speaking = false;
+    stop_together("interphase", failure_of(UserError(problem)));
 }
 
 /// LIGGGHTS ends without a word where it cannot open it.
@@ -82,7 +105,12 @@ void make_log()
 
 void show_at_exit()
 {
-    if (speaking) show();
+    if (!listening) return;
+    int finalized = 0;
+    MPI_Finalized(&finalized);
+    if (!finalized) stop_process();
+    if (speaking) std::fprintf(stderr, "\ninterphase: error: %s\n", last_words(true).message().c_str());
+    _exit(static_cast<int>(ExitCode::liggghts));
 }
 
 }  // namespace
@@ -103,16 +131,100 @@ std::FILE* LastWords::of_rank_without_log()
     return stream;
 }
 
+bool LastWords::heard_error() { return heard; }
+
 LastWords::~LastWords() { listening = speaking = false; }
+
+namespace {
+
+/// What LIGGGHTS's own function, of which ours has taken the place, does where nobody listens.
+template <class... Arguments>
+void do_as_liggghts_does(const char* function, Arguments... arguments)
+{
+    using Function = void (*)(Arguments...);
+    if (const auto own = reinterpret_cast<Function>(dlsym(RTLD_NEXT, function))) own(arguments...);
+    std::_Exit(static_cast<int>(ExitCode::liggghts));  // it does not come back
+}
+
+/// An error as a UserError. LIGGGHTS would wait for all ranks first, for ever where only one has called it so, and
+/// where it is in the mood add a joke from memory that it has freed (error_special.h).
+[[noreturn]] void stop(std::FILE* screen, const std::string& words, bool in_run)
+{
+    heard = true;
+    if (screen) std::fputs((words + "\n").c_str(), screen);
+    const Problem problem = last_words(in_run);
+    listening = speaking = false;
+    throw UserError(problem);
+}
+
+bool runs(const LAMMPS_NS::Update* update) { return update && update->whichflag != 0; }
+
+std::string placed(const std::string& words, const char* file, int line)
+{
+    return words + " (" + file + ":" + std::to_string(line) + ")";
+}
+
+std::string of_command(const char* kind, const char* style, const char* id, const char* words)
+{
+    const std::string kind_style = std::string(kind) + " " + style + " (id " + id + ")";
+    if (std::strlen(words) <= 2) return "ERROR: Illegal " + kind_style + " command";
+    return "ERROR: " + kind_style + ": " + words;
+}
+
+}  // namespace
 
 }  // namespace interphase
 
-/// LIGGGHTS's errors of a single rank go straight to MPI_Abort, which runs no exit handler. MPI lets a program wrap its
-/// calls in this way (MPI standard, profiling interface).
+// A function that the program defines takes the place of a library's in all its calls, also in the library's own.
+
+namespace LAMMPS_NS {
+
+using interphase::listening;
+
+void Error::all(const char* file, int line, const char* words)
+{
+    if (!listening) interphase::do_as_liggghts_does("_ZN9LAMMPS_NS5Error3allEPKciS2_", this, file, line, words);
+    interphase::stop(screen, interphase::placed(std::string("ERROR: ") + words, file, line), interphase::runs(update));
+}
+
+void Error::one(const char* file, int line, const char* words)
+{
+    if (!listening) interphase::do_as_liggghts_does("_ZN9LAMMPS_NS5Error3oneEPKciS2_", this, file, line, words);
+    const std::string start = "ERROR on proc " + std::to_string(comm->me) + ": ";
+    interphase::stop(screen, interphase::placed(start + words, file, line), interphase::runs(update));
+}
+
+void Error::fix_error(const char* file, int line, Fix* fix, const char* style, const char* words)
+{
+    if (!listening)
+        interphase::do_as_liggghts_does("_ZN9LAMMPS_NS5Error9fix_errorEPKciPNS_3FixES2_S2_", this, file, line, fix,
+                                        style, words);
+    interphase::stop(screen, interphase::placed(interphase::of_command("Fix", style, fix->id, words), file, line),
+                     interphase::runs(update));
+}
+
+void Error::compute_error(const char* file, int line, Compute* compute, const char* words)
+{
+    if (!listening)
+        interphase::do_as_liggghts_does("_ZN9LAMMPS_NS5Error13compute_errorEPKciPNS_7ComputeES2_", this, file, line,
+                                        compute, words);
+    interphase::stop(
+        screen, interphase::placed(interphase::of_command("Compute", compute->style, compute->id, words), file, line),
+        interphase::runs(update));
+}
+
+void Error::done()
+{
+    if (!listening) interphase::do_as_liggghts_does("_ZN9LAMMPS_NS5Error4doneEv", this);
+    interphase::stop(screen, "ERROR: the script asked LIGGGHTS to quit", interphase::runs(update));
+}
+
+}  // namespace LAMMPS_NS
+
+/// Some of LIGGGHTS's errors go straight to MPI_Abort, which runs no exit handler. MPI lets a program wrap its calls in
+/// this way (MPI standard, profiling interface).
 extern "C" int MPI_Abort(MPI_Comm comm, int code)
 {
-    // often all ranks abort for the same reason; the one that speaks for all ends the others meanwhile
-    if (interphase::listening && !interphase::speaking) std::this_thread::sleep_for(std::chrono::seconds(1));
-    if (interphase::listening) interphase::show();
-    return PMPI_Abort(comm, code);
+    if (interphase::listening) interphase::stop_process();
+    interphase::end_all_ranks(comm, code);
 }

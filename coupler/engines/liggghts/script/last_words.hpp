@@ -5,8 +5,9 @@
 
 namespace interphase {
 
-/// LIGGGHTS ends the process on an error, with its words in its log only. While one of these lives, such an end shows
-/// them: an exit of all ranks on the one that speaks, an abort on the rank that aborts.
+/// LIGGGHTS ends the process on an error, with its words in its log only. While one of these lives, its errors are
+/// UserErrors with the end of that log instead, those of one rank with the end of what it said there; an end of the
+/// process by other ways shows them.
 class LastWords {
 public:
     static constexpr const char* log_name = "dem/log.liggghts";
@@ -17,6 +18,9 @@ public:
     /// A stream for LIGGGHTS's `screen` on a rank that has no log: only its end is kept, to be shown if LIGGGHTS aborts
     /// there.
     static std::FILE* of_rank_without_log();
+
+    /// Whether an error has left LIGGGHTS in the middle of something: it cannot be closed any more.
+    static bool heard_error();
 
     ~LastWords();
     LastWords(const LastWords&) = delete;

@@ -23,6 +23,8 @@
 #include "integrate.h"
 #include "lammps.h"
 #include "library.h"
+#include "modify.h"
+#include "output.h"
 #include "plugin/plugin.hpp"
 #include "timer.h"
 #include "universe.h"
@@ -42,6 +44,12 @@ Own* add_fix(LAMMPS_NS::LAMMPS& lmp, const std::string& id)
     register_fix_style(*lmp.modify, Own::style_name, create);
     lammps_command(&lmp, ("fix " + id + " all " + Own::style_name).c_str());
     return dynamic_cast<Own*>(lmp.modify->find_fix_id(id.c_str()));
+}
+
+void set_last_step(LAMMPS_NS::Update& update, LAMMPS_NS::bigint last)
+{
+    update.laststep = update.endstep = last;
+    update.nsteps = static_cast<int>(std::min<LAMMPS_NS::bigint>(last - update.firststep, INT_MAX));
 }
 
 }  // namespace
@@ -86,7 +94,7 @@ LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& setting
 
 LiggghtsSolids::~LiggghtsSolids()
 {
-    lammps_close(lmp_);
+    if (!LastWords::heard_error()) lammps_close(lmp_);
     screen_.reset();
 }
 
@@ -137,9 +145,8 @@ void LiggghtsSolids::start(double solid_step, long steps, bool with_gas)
     // what `run` does before its loop, so that the loop can be continued at any length without setting up again
     LAMMPS_NS::Update& update = *lmp_->update;
     update.whichflag = 1;
-    update.nsteps = static_cast<int>(std::min<long>(steps, INT_MAX));
     update.firststep = update.beginstep = update.ntimestep;
-    update.laststep = update.endstep = update.ntimestep + steps;
+    set_last_step(update, update.ntimestep + steps);
     lmp_->init();
     population_->watch(fluid_);
     const long before = comm_.sum(static_cast<long>(lmp_->atom->nlocal));
@@ -153,6 +160,19 @@ void LiggghtsSolids::start(double solid_step, long steps, bool with_gas)
 
     if (auto* fix = dynamic_cast<LAMMPS_NS::FixGravity*>(lmp_->modify->find_fix_style("gravity", 0)))
         fix->get_gravity(gravity_.data());
+}
+
+void LiggghtsSolids::end_after(long steps)
+{
+    const LastWords of_liggghts(comm_.is_master());
+    LAMMPS_NS::Update& update = *lmp_->update;
+    set_last_step(update, update.ntimestep + steps);
+    // LIGGGHTS has put no output behind the last step, and comes back to none once that is passed; what was due by now
+    // has been written. Where a variable tells the next one, it is asked at the step before.
+    ++update.ntimestep;
+    lmp_->output->reset_timestep(update.ntimestep);
+    --update.ntimestep;
+    lmp_->modify->addstep_compute_all(lmp_->output->next_thermo);
 }
 
 ParticleView LiggghtsSolids::particles()

@@ -37,6 +37,7 @@ public:
     double largest_diameter() const override;
     double smallest_diameter() const override;
     void start(double solid_step, long steps, bool with_gas) override;
+    void end_after(long steps) override;
 
     ParticleView particles() override;
     Vector gravity() const override { return gravity_; }
