@@ -61,8 +61,8 @@ class Finished:
 
 
 def execute(folder, ranks=1, timeout=LONGEST, **changes):
-    """The program on a prepared case. `changes` of the environment."""
-    program = start(folder, ranks, **changes)
+    """The program on a prepared case, in place of an earlier run. `changes` of the environment."""
+    program = start(folder, ranks, ["-overwrite"], **changes)
     try:
         out, err = program.communicate(timeout=timeout)
     except subprocess.TimeoutExpired:
@@ -77,8 +77,8 @@ def execute(folder, ranks=1, timeout=LONGEST, **changes):
 
 
 def execute_from(here, folder, ranks=1):
-    """The program started in the folder `here` on a case that may not be there."""
-    command = launch.command(PROGRAM, folder, ranks)
+    """The program started in the folder `here` on a case that may not be there, in place of an earlier run."""
+    command = [*launch.command(PROGRAM, folder, ranks), "-overwrite"]
     done = subprocess.run(
         command, cwd=here, env=environment(), stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=60
     )

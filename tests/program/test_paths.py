@@ -31,7 +31,7 @@ class Paths(support.ProgramTest):
         )
 
     def stopped(self, done, expected):
-        self.assertEqual(done.code, 1, done.text)
+        self.assertIn(done.code, (1, 4, 5), done.text)  # refused, by LIGGGHTS, by OpenFOAM
         self.assertEqual(done.text.count("remedy:"), 1, done.text)
         self.assertRegex(done.text, f"(?s)interphase: error: .*{expected}")
 
