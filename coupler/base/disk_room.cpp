@@ -9,9 +9,9 @@
 
 namespace interphase {
 
-bool disk_is_full(int rank)
+bool disk_is_full(int asker)
 {
-    const std::string name = ".room-on-disk-" + std::to_string(rank);
+    const std::string name = ".room-on-disk-" + std::to_string(asker);
     const std::vector<char> tried(64 * 1024, 'x');
     const auto full = [](bool failed) { return failed && (errno == ENOSPC || errno == EDQUOT); };
     const int file = open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);

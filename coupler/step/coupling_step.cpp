@@ -38,6 +38,7 @@ CouplingStep::CouplingStep(const Communicator& comm, const Settings& settings, G
       demand_(gas.mesh().size())
 {
     if (stress_model_) stress_.emplace(comm_, gas_, mapping_, *stress_model_);
+    refuse_other_periods();
 }
 
 std::string CouplingStep::mapping_description()

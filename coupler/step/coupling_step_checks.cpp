@@ -12,7 +12,6 @@ namespace interphase {
 void CouplingStep::inspect_start()
 {
     inspected_ = true;
-    refuse_other_periods();
     comm_.fail_together(
         trouble(solids_.particles()));  // before a value that is not finite spreads through the gas to other particles
 }
