@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace interphase {
@@ -27,6 +28,18 @@ public:
         archive.loads_ = true;
         return archive;
     }
+
+    /// One that gives back what another has taken in, as its state() tells.
+    static Archive loading(std::map<std::string, std::vector<char>> state)
+    {
+        Archive archive;
+        archive.state_ = std::move(state);
+        archive.loads_ = true;
+        return archive;
+    }
+
+    /// Whether it gives back.
+    bool loads() const { return loads_; }
 
     /// A number or any other trivially copyable object, a vector of such, or an object that has keep(Archive&). Throws
     /// a std::runtime_error where it gives back and has no such name, or one of another size.
@@ -52,6 +65,13 @@ public:
             for (std::size_t i = 0; i < count; ++i)
                 keep(name + "." + std::to_string(i), objects[i]);
         }
+    }
+
+    void keep(const std::string& name, std::string& text)
+    {
+        std::vector<char> letters(text.begin(), text.end());
+        keep(name, letters);
+        text.assign(letters.begin(), letters.end());
     }
 
     /// So many numbers that lie side by side, whose count does not change.

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -128,6 +129,9 @@ public:
     std::optional<double> step_limit() const override { return limit; }
     double largest_diameter() const override { return diameter(); }
     double smallest_diameter() const override { return diameter(); }
+    void go_on_from(Archive&) override { throw std::logic_error("a fake engine keeps nothing"); }
+    void keep(Archive&) override { throw std::logic_error("a fake engine keeps nothing"); }
+    std::optional<Problem> cannot_be_kept() const override { return Problem{"a fake engine keeps nothing", "", ""}; }
     void start(double solid_step, long, bool) override { points_ = PointParticles(comm_, mine_, gravity_, solid_step); }
     void end_after(long steps) override { steps_left.push_back(steps); }
     ParticleView particles() override { return points_.particles(); }
