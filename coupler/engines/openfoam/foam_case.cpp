@@ -23,6 +23,7 @@
 #include "engines/openfoam/foam_errors.hpp"
 #include "engines/openfoam/frozen_gas.hpp"
 #include "engines/openfoam/function_objects.hpp"
+#include "engines/openfoam/gas_state.hpp"
 #include "engines/openfoam/listening_output.hpp"
 #include "engines/openfoam/patch_conditions.hpp"
 #include "engines/openfoam/pimple_gas.hpp"
@@ -256,6 +257,18 @@ void FoamCase::write()
 {
     with_foam_errors([&] { parts_->time->writeNow(); });
     parts_->output->flush();
+}
+
+void FoamCase::keep(Archive& archive) { keep_time(archive, *parts_->time); }
+
+std::string FoamCase::sums_lost() const
+{
+    const Foam::dictionary* functions = parts_->time->controlDict().findDict("functions");
+    std::string names;
+    if (!functions) return names;
+    for (const Foam::word& name : functions->toc())
+        names += (names.empty() ? "" : ", ") + name;
+    return names;
 }
 
 EngineWarnings* FoamCase::warnings() { return &parts_->output->warnings(); }

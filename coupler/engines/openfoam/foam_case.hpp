@@ -39,6 +39,9 @@ public:
     bool write_due() const override;  ///< by writeControl and writeInterval
     void write() override;
 
+    void keep(Archive& archive) override;
+    std::string sums_lost() const override;  ///< of function objects
+
     EngineWarnings* warnings() override;
     void with_own_errors(const std::function<void()>& body) const override;
 
