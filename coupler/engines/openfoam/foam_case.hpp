@@ -24,6 +24,7 @@ public:
     std::string name() const override;
     std::string engine() const override { return "OpenFOAM " + version(); }
     static std::string version();
+    bool resumes() const;  ///< whether the command line has -resume
 
     double time() const override;
     double end_time() const override;

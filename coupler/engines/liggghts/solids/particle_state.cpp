@@ -73,12 +73,18 @@ std::string packers(const LAMMPS& lmp)
     return names;
 }
 
+/// When it asks for neighbour lists next, which is when it acts; others leave that number as memory has it.
+void keep_next_act(Archive& archive, Fix& fix)
+{
+    if (fix.force_reneighbor) archive.keep("next_reneighbor", fix.next_reneighbor);
+}
+
 void keep_fixes(LAMMPS& lmp, Archive& archive)
 {
     for (int n = 0; n < lmp.modify->nfix; ++n) {
         Fix& fix = *lmp.modify->fix[n];
         archive.within(std::string("fix ") + fix.id, [&] {
-            archive.keep("next_reneighbor", fix.next_reneighbor);
+            keep_next_act(archive, fix);
             if (!has_own_state(fix)) return;
             std::vector<char> state;
             if (!archive.loads()) state = global_state(lmp, fix);
@@ -271,7 +277,7 @@ void take_up_step(LAMMPS& lmp, Archive& archive)
     archive.keep("step", lmp.update->ntimestep);
     for (int n = 0; n < lmp.modify->nfix; ++n) {
         Fix& fix = *lmp.modify->fix[n];
-        archive.within(std::string("fix ") + fix.id, [&] { archive.keep("next_reneighbor", fix.next_reneighbor); });
+        archive.within(std::string("fix ") + fix.id, [&] { keep_next_act(archive, fix); });
     }
 }
 
