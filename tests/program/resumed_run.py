@@ -19,11 +19,11 @@ fix pour all insert/rate/region seed 49979687 distributiontemplate kinds npartic
 WEIGHTS = {"DEM": 1, "CGPM": 8, "TDHS": 1, "CGHS": 8, "MPPIC": 8}
 
 
-def states(folder, time, ranks):
-    """The state of each rank at a time, as bytes."""
+def states(checkpoint, ranks):
+    """The state of each rank, as bytes."""
     found = []
     for rank in range(ranks):
-        with open(os.path.join(folder, "checkpoints", f"{time:g}", f"rank{rank}.state"), "rb") as stream:
+        with open(os.path.join(checkpoint, f"rank{rank}.state"), "rb") as stream:
             found.append(stream.read())
     return found
 
@@ -50,9 +50,9 @@ class ResumedRun:
         pour = POUR.format(density=DENSITY, radius=diameter / 2, x=WIDTH - 0.002, y=DEPTH - 0.002, every=every)
         return vessel.case(self.root, particles=lines, fixes=pour)
 
-    def ready(self, method, ranks=1):
+    def ready(self, method, ranks=1, **settings):
         """The case twice, each with checkpoints at the stop and at the end."""
-        folder = vessel.prepared(self, self.bed(method), method, ranks, self.end, weight=WEIGHTS[method])
+        folder = vessel.prepared(self, self.bed(method), method, ranks, self.end, weight=WEIGHTS[method], **settings)
         coupling = os.path.join(folder, "system/couplingDict")
         support.write(coupling, support.read(coupling) + f"\ncheckpoint {{ interval {self.stop}; }}\n")
         return folder, self.copied(folder)
@@ -64,11 +64,18 @@ class ResumedRun:
         return self.run_case(folder, ranks, options=["-resume"])
 
     def check(self, method, ranks=1):
-        straight, stopped = self.ready(method, ranks)
+        self.compare(*self.ready(method, ranks), ranks)
+
+    def compare(self, straight, stopped, ranks=1):
+        """A case that runs through with its copy that is stopped."""
         whole = self.run_case(straight, ranks)
         done = self.resumed(stopped, ranks)
-        for rank, (expected, found) in enumerate(zip(states(straight, self.end, ranks), states(stopped, self.end, ranks))):
-            expected, found = parts(expected), parts(found)
+        self.expect_equal([os.path.join(folder, "checkpoints", f"{self.end:g}") for folder in (straight, stopped)], whole, done, ranks)
+
+    def expect_equal(self, checkpoints, whole, done, ranks=1):
+        """The two checkpoints, and what the two runs recorded last."""
+        for rank, pair in enumerate(zip(*(states(checkpoint, ranks) for checkpoint in checkpoints))):
+            expected, found = map(parts, pair)
             self.assertEqual(expected.keys(), found.keys())
             differ = [name for name in expected if expected[name] != found[name]]
             self.assertEqual(differ, [], f"rank {rank}")
