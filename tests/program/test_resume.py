@@ -7,6 +7,7 @@ for 20 gas steps. And what a resumed run refuses or tells."""
 
 import os
 import shutil
+import subprocess
 import sys
 import unittest
 
@@ -17,6 +18,7 @@ sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 import support  # noqa: E402
 import vessel  # noqa: E402
 from resumed_run import ResumedRun  # noqa: E402
+from vessel import DEPTH, DIAMETER, HEIGHT, WIDTH  # noqa: E402
 
 
 class Resume(ResumedRun, support.ProgramTest):
@@ -113,6 +115,31 @@ class Resume(ResumedRun, support.ProgramTest):
         done = support.execute(folder, options=["-resume"])
         self.assertEqual(done.code, 1)
         self.assertIn("checkpoints/0.02 is of a run of 2 ranks, and this one has 1", done.err)
+
+    def test_tools_run_goes_on(self):
+        case, folder = self.bed("TDHS"), os.path.join(self.root, "run")
+        coupling = os.path.join(case, "system/couplingDict")
+        support.write(coupling, support.read(coupling) + f"\ncheckpoint {{ interval {self.stop}; }}\n")
+        self.edit(case, "parameters", r"^method .*$", "method TDHS;")
+        for key, value in (("width", WIDTH), ("depth", DEPTH), ("height", HEIGHT), ("diameter", DIAMETER), ("weight", 1)):
+            self.edit(case, "parameters", rf"^{key} .*$", f"{key} {value};")
+
+        def tools_run(*words):
+            command = [os.path.join(support.TOOLS, "run"), case, "--out", folder, "--no-picture", *words]
+            return subprocess.run(
+                command, env=support.environment(INTERPHASE_BIN=support.PROGRAM), capture_output=True, text=True, timeout=200
+            )
+
+        early = tools_run("--resume")
+        self.assertEqual(early.returncode, 2)
+        self.assertIn("holds no run of tools/run", early.stderr)
+        first = tools_run("--until", str(self.stop))
+        self.assertEqual(first.returncode, 0, first.stdout + first.stderr)
+        more = tools_run("--resume", "--until", str(self.end))
+        self.assertEqual(more.returncode, 0, more.stdout + more.stderr)
+        self.assertIn(f"Reached t = {self.end} s", more.stdout)
+        self.assertIn(f"Reached t = {self.end} s", support.read(folder, "log.interphase-2"))
+        self.assertEqual(tools_run("--resume", "--overwrite").returncode, 2)
 
     def test_what_moves_is_told(self):
         """A scene whose state cannot be held runs on, without checkpoints."""
