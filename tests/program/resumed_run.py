@@ -51,11 +51,14 @@ class ResumedRun:
         return vessel.case(self.root, particles=lines, fixes=pour)
 
     def ready(self, method, ranks=1, **settings):
+        return self.copies(self.bed(method), method, ranks, **settings)
+
+    def copies(self, case, method, ranks=1, **settings):
         """The case twice, each with checkpoints at the stop and at the end."""
-        folder = vessel.prepared(self, self.bed(method), method, ranks, self.end, weight=WEIGHTS[method], **settings)
+        folder = vessel.prepared(self, case, method, ranks, self.end, weight=WEIGHTS[method], **settings)
         coupling = os.path.join(folder, "system/couplingDict")
         support.write(coupling, support.read(coupling) + f"\ncheckpoint {{ interval {self.stop}; }}\n")
-        return folder, self.copied(folder)
+        return folder, self.copied(folder, f"stopped-{method}-{ranks}")
 
     def resumed(self, folder, ranks=1):
         self.set_entry(folder, "system/controlDict", "endTime", self.stop)

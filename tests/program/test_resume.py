@@ -16,6 +16,7 @@ import numpy
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 
 import support  # noqa: E402
+import test_populations  # noqa: E402
 import vessel  # noqa: E402
 from resumed_run import ResumedRun  # noqa: E402
 from vessel import DEPTH, DIAMETER, HEIGHT, WIDTH  # noqa: E402
@@ -65,6 +66,19 @@ class Resume(ResumedRun, support.ProgramTest):
     def test_without_gas(self):
         straight, stopped = self.ready("CGPM", **{"system/couplingDict:gas/model": "none", "system/couplingDict:gas/coupling": "oneWay"})
         self.compare(straight, stopped)
+
+    def test_a_stream_through_a_face_and_an_outlet(self):
+        """A mesh draws places with random numbers of its own, another deletes."""
+        self.count = 0
+        for method in ("TDHS", "DEM"):
+            with self.subTest(method=method):
+                root = os.path.join(self.root, method)
+                lines, _ = vessel.bed(6, above=4)
+                fixes = test_populations.spheres() + test_populations.STREAM + test_populations.outlet()
+                folder = vessel.case(root, lines, fixes)
+                test_populations.write_plane(os.path.join(folder, "dem/face.stl"), 0.085, 0.01, WIDTH - 0.01)
+                test_populations.write_plane(os.path.join(folder, "dem/outlet.stl"), 0.01)
+                self.compare(*self.copies(folder, method))
 
     def test_is_asked_for_and_refused(self):
         folder, _ = self.ready("TDHS")

@@ -4,7 +4,6 @@
 #include <mpi.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -17,11 +16,11 @@
 #include "base/user_error.hpp"
 #include "comm.h"
 #include "domain.h"
+#include "engines/liggghts/solids/random_numbers.hpp"
 #include "fix.h"
 #include "integrate.h"
 #include "lammps.h"
 #include "modify.h"
-#include "region.h"
 #include "update.h"
 
 namespace interphase {
@@ -91,16 +90,6 @@ void keep_fixes(LAMMPS& lmp, Archive& archive)
             archive.keep("state", state);
             if (archive.loads() && !state.empty()) fix.restart(state.data());
         });
-    }
-}
-
-/// Regions that insertion draws places from have random numbers of their own, which nobody saves.
-void seed_regions(LAMMPS& lmp)
-{
-    constexpr std::int64_t largest_seed = 2147483646;  // of LIGGGHTS's generator
-    for (int n = 0; n < lmp.domain->nregion; ++n) {
-        const std::int64_t mixed = (lmp.update->ntimestep + 1) * 48271 + 69621 * (n + 1) + 16807 * lmp.comm->me;
-        lmp.domain->regions[n]->reset_random(static_cast<int>(1 + mixed % largest_seed));
     }
 }
 
@@ -300,7 +289,7 @@ void put_back_particle_state(LAMMPS& lmp, Archive& archive, const std::string& s
 
     replace_particles(lmp, all);
     keep_fixes(lmp, archive);
-    seed_regions(lmp);
+    seed_places(lmp);
     LAMMPS_NS::Atom& atom = *lmp.atom;
     if (atom.sortfreq > 0) atom.nextsort = (lmp.update->ntimestep / atom.sortfreq + 1) * atom.sortfreq;
     lmp.update->integrate->setup_minimal(1);
