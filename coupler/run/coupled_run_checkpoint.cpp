@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A run's state: when it is written, and how a run goes on from it.
-#include <cstdlib>
 #include <filesystem>
+#include <regex>
 #include <sstream>
 
 #include "base/sha256.hpp"
@@ -31,6 +31,12 @@ std::string without_end(const InputFile& file)
     return rest;
 }
 
+/// "name (path: styles), ..." without the paths: a build may be moved.
+std::string without_places(const std::string& plugins)
+{
+    return std::regex_replace(plugins, std::regex("\\([^():]*: "), "(");
+}
+
 const char* const control = "system/controlDict";
 
 }  // namespace
@@ -41,7 +47,7 @@ Checkpoints::Facts CoupledRun::facts() const
     if (!comm_.is_master()) return all;
     all = {{"version", name_and_number(this_version())},
            {"engines", solids_->version() + ", " + case_.engine()},
-           {"plug-ins", solids_->plugins()},
+           {"plug-ins", without_places(solids_->plugins())},
            {"solid step", text(clock_.solid_step()) + " s"}};
     for (const InputFile& file : case_inputs(".", settings_.script, settings_.variables)) {
         std::string words = file.sha256;
