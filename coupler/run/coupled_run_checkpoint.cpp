@@ -122,7 +122,7 @@ void CoupledRun::put_records_aside() const
             for (int number = 2; fs::exists(folder); ++number)
                 folder = name + "-" + std::to_string(number);
             fs::create_directory(folder);
-            for (const char* file : {"results.h5", "particles.h5", "particles.xdmf"})
+            for (const char* file : {"results.h5", "particles.h5", "particles.xdmf", "snapshots"})
                 if (fs::exists(file)) fs::rename(file, fs::path(folder) / file);
         } catch (const std::exception& error) {
             wrong = error.what();

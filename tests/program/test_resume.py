@@ -118,7 +118,8 @@ class Resume(ResumedRun, support.ProgramTest):
         done = self.run_case(folder, options=["-resume"])
         self.assertIn("checkpoints/0.02 is no whole checkpoint: rank0.state is not as it was written", done.err)
         self.assertIn("the run goes on from checkpoints/0.015", done.err)
-        self.assertTrue(os.path.isfile(os.path.join(folder, "records-until-0.015/results.h5")))
+        for kept in ("results.h5", "particles.h5", "snapshots/000000.h5"):
+            self.assertTrue(os.path.isfile(os.path.join(folder, "records-until-0.015", kept)), kept)
         with done.results() as results:
             self.assertAlmostEqual(results["/series/time"][0], 0.016, delta=1e-9)
 
