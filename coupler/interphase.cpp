@@ -36,9 +36,12 @@ int couple(int argc, char** argv)
 {
     using namespace interphase;
     FoamCase gas_case(argc, argv);
-    CoupledRun run(gas_case, [](const Communicator& comm, const Settings& settings) {
-        return std::make_unique<LiggghtsSolids>(comm, settings);
-    });
+    CoupledRun run(
+        gas_case,
+        [](const Communicator& comm, const Settings& settings) {
+            return std::make_unique<LiggghtsSolids>(comm, settings);
+        },
+        gas_case.resumes() ? Beginning::last_checkpoint : Beginning::anew);
     const int signal = run.run();
     return signal == 0 ? static_cast<int>(ExitCode::finished) : exit_code_of_signal(signal);
 }

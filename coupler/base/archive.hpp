@@ -6,9 +6,19 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace interphase {
+
+class Archive;
+
+/// Whether an object has keep(Archive&).
+template <class Object, class = void>
+inline constexpr bool keeps_itself = false;
+template <class Object>
+inline constexpr bool
+    keeps_itself<Object, std::void_t<decltype(std::declval<Object&>().keep(std::declval<Archive&>()))>> = true;
 
 /// The state of a rank's objects, by name, as bytes. An object with state has one function `keep(Archive&)` that names
 /// its members in turn; the archive either takes them in or gives them back, so that what is saved is what is loaded:
@@ -28,21 +38,36 @@ public:
         return archive;
     }
 
-    /// A number or any other trivially copyable object, a vector of such, or an object that has keep(Archive&). Throws
-    /// a std::runtime_error where it gives back and has no such name, or one of another size.
+    /// One that gives back what another has taken in, as its state() tells.
+    static Archive loading(std::map<std::string, std::vector<char>> state)
+    {
+        Archive archive;
+        archive.state_ = std::move(state);
+        archive.loads_ = true;
+        return archive;
+    }
+
+    /// Whether it gives back.
+    bool loads() const { return loads_; }
+
+    /// An object that has keep(Archive&), also one whose bytes could be copied (it may hold references), a number or
+    /// any other trivially copyable object, or a vector of such. Throws a std::runtime_error where it gives back and
+    /// has no such name, or one of another size.
     template <class Object>
     void keep(const std::string& name, Object& object)
     {
-        if constexpr (std::is_trivially_copyable_v<Object>)
-            bytes(name, &object, sizeof object);
-        else
+        if constexpr (keeps_itself<Object>)
             within(name, [&] { object.keep(*this); });
+        else {
+            static_assert(std::is_trivially_copyable_v<Object>);
+            bytes(name, &object, sizeof object);
+        }
     }
 
     template <class Object>
     void keep(const std::string& name, std::vector<Object>& objects)
     {
-        if constexpr (std::is_trivially_copyable_v<Object>) {
+        if constexpr (std::is_trivially_copyable_v<Object> && !keeps_itself<Object>) {
             if (loads_) objects.resize(found(name).size() / sizeof(Object));
             bytes(name, objects.data(), objects.size() * sizeof(Object));
         } else {
@@ -52,6 +77,13 @@ public:
             for (std::size_t i = 0; i < count; ++i)
                 keep(name + "." + std::to_string(i), objects[i]);
         }
+    }
+
+    void keep(const std::string& name, std::string& text)
+    {
+        std::vector<char> letters(text.begin(), text.end());
+        keep(name, letters);
+        text.assign(letters.begin(), letters.end());
     }
 
     /// So many numbers that lie side by side, whose count does not change.

@@ -68,7 +68,7 @@ void Hold::judge(const Vector& by_contacts, const Vector& without_contacts, doub
         steps = 0;
     else if (known >= 1)  // in balance it may be free as well, and what was believed before stays
         steps = steps < 0 ? enough : std::min(steps + 1, enough);  // the first sight counts at once
-    steps = std::max(steps, 0);
+    steps = std::max(steps, 0L);
     held = static_cast<double>(steps) / enough;
     doubt = (1.0 - held) * (1.0 - known * (1.0 - rise(by_contacts.norm() / expected, untouched, pushed)));
 }

@@ -85,9 +85,9 @@ Vector free_change(double mass, double drag_rate, const Vector& slip, const Vect
 struct Hold {
     double held = 0;   ///< 1 where contacts take up all that other forces do, 0 where solids are free
     double doubt = 0;  ///< 0 to 1: how far 0 is a guess
-    int steps = -1;    ///< on end that they were held, up to `enough`; below 0: nothing was seen yet
+    long steps = -1;   ///< on end that they were held, up to `enough`; below 0: nothing was seen yet
 
-    static constexpr int enough = 10;
+    static constexpr long enough = 10;
 
     /// By what the last step did: the sums over the cell's particles of m times the velocity change by contacts and of
     /// m times the change without contacts [kg m/s]. Contacts inside the cell cancel in the first, so collisions say

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/archive.hpp"
 #include "step/gas.hpp"
 
 namespace interphase {
@@ -18,6 +19,9 @@ public:
     virtual Box bounds() const = 0;           ///< of the whole mesh [m]
 
     virtual Vector gravity() const = 0;  ///< [m/s2]
+
+    /// Between two solve(): all that the next ones depend on, beside the case's clock, which is kept before.
+    virtual void keep(Archive& archive) = 0;
 };
 
 }  // namespace interphase

@@ -64,7 +64,7 @@ ParticleRows rows_of(const ParticleView& particles)
 
 }  // namespace
 
-CoupledRun::CoupledRun(GasCase& gas_case, const MakeParticleEngine& make_particles)
+CoupledRun::CoupledRun(GasCase& gas_case, const MakeParticleEngine& make_particles, Beginning beginning)
     : case_(gas_case),
       settings_(read_settings(case_.coupling_dict(), case_.scene_parameters(), std::filesystem::current_path())),
       report_(comm_.is_master(), case_.time(), case_.end_time())
@@ -79,6 +79,7 @@ CoupledRun::CoupledRun(GasCase& gas_case, const MakeParticleEngine& make_particl
     gas_step_ = clock_.next(case_.gas_step(), 1e300).duration;
     check_scene();
 
+    if (beginning == Beginning::last_checkpoint) find_checkpoint();
     end_time_ = case_.end_time();
     solids_->start(clock_.solid_step(), steps_until(end_time_), gas_ != nullptr);
     if (gas_) {
@@ -90,6 +91,10 @@ CoupledRun::CoupledRun(GasCase& gas_case, const MakeParticleEngine& make_particl
         coupling_->start_at(case_.time());
     } else
         without_gas_.emplace(comm_, settings_);
+    if (kept_)
+        put_records_aside();
+    else
+        put_checkpoints_aside();
     results_ = std::make_unique<Results>(comm_);
     snapshots_ = std::make_unique<ParticleSnapshots>(comm_);
     describe_run();
@@ -180,10 +185,15 @@ int CoupledRun::run()
     if (settings_.snapshot_interval > 0) own_snapshots_.emplace(case_.time(), settings_.snapshot_interval);
     const double start = case_.time();
     try {
-        record(true);
+        begin_checkpoints();
+        if (kept_)
+            go_on();
+        else
+            record(true);
         while (case_.running()) {
             follow_end_time();
             step();
+            if (checkpoint_due()) checkpoint();
         }
         if (stopped_by_ == 0) follow_end_time();
         if (!ended_) record(false);  // the end came nearer than the step before it was taken for

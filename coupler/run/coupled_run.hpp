@@ -7,6 +7,7 @@
 
 #include "records/particle_snapshots.hpp"
 #include "records/results.hpp"
+#include "run/checkpoint.hpp"
 #include "run/gas_case.hpp"
 #include "run/lockstep_clock.hpp"
 #include "run/particle_engine.hpp"
@@ -18,11 +19,14 @@
 
 namespace interphase {
 
+/// From where a run starts.
+enum class Beginning { anew, last_checkpoint };
+
 /// A case from its start to its end: checks it, steps, records. Which engines there are is the caller's choice.
 class CoupledRun {
 public:
     /// Throws a UserError for a case that cannot run. Collective, as are all members.
-    CoupledRun(GasCase& gas_case, const MakeParticleEngine& make_particles);
+    CoupledRun(GasCase& gas_case, const MakeParticleEngine& make_particles, Beginning beginning = Beginning::anew);
 
     /// Returns 0 at the end time, or the signal that ended it after a step (run/stop_request.hpp). Throws a UserError
     /// if the run cannot go on; what was recorded so far is kept.
@@ -51,6 +55,17 @@ private:
     void finish();
     void keep_what_is_known(const std::exception& error);  ///< after it
 
+    void find_checkpoint();
+    void put_records_aside() const;
+    void put_checkpoints_aside() const;
+    Checkpoints::Facts facts() const;  ///< on the first rank
+    void refuse_other_run(const Checkpoints::Found& found) const;
+    void keep(Archive& archive);
+    void go_on();
+    void begin_checkpoints();
+    bool checkpoint_due();
+    void checkpoint();
+
     Communicator comm_;
     Stopwatch stopwatch_{Phase::setup};
     GasCase& case_;
@@ -71,6 +86,10 @@ private:
     bool ended_ = false;                   ///< the end of the run has been recorded
     double last_snapshot_ = -1e300;        ///< [s]
     Population at_start_;
+    Checkpoints checkpoints_{comm_};
+    std::optional<Checkpoints::Found> kept_;  ///< from which the run is to go on
+    std::optional<RecordSchedule> simulated_checkpoints_;
+    double last_checkpoint_ = 0;                  ///< by the wall clock, from the start [s]
     std::optional<PopulationWatch> without_gas_;  ///< where no coupling step counts who comes and goes
 };
 

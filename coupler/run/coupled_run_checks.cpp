@@ -87,14 +87,13 @@ void CoupledRun::check_weights() const
     comm_.fail_together(particle_trouble(particles, comm_.rank()));
     for (const double weight : solids_->weights_to_come())
         if (!(weight >= 1) || (weight > 1 && !tracks_parcels(settings_.method)))
-            throw UserError(
-                "the script inserts particles with a weight of " + text(weight) +
-                    (weight > 1 ? ", and method " + name_of(settings_.method) + " tracks real particles"
-                                : ": at least 1 real particle is in a tracked one"),
-                settings_.script + ", `set_property weight` of a fix insert/*",
-                weight > 1 ? std::string("give it the weight 1, or take method ") +
-                                 (settings_.method == Method::dem ? "CGPM" : "CGHS")
-                           : "give it a weight of 1 or more");
+            throw UserError("the script inserts particles with a weight of " + text(weight) +
+                                (weight > 1 ? ", and method " + name_of(settings_.method) + " tracks real particles"
+                                            : ": at least 1 real particle is in a tracked one"),
+                            settings_.script + ", `set_property weight` of a fix insert/*",
+                            weight > 1 ? std::string("give it the weight 1, or take method ") +
+                                             (settings_.method == Method::dem ? "CGPM" : "CGHS")
+                                       : "give it a weight of 1 or more");
     if (!particles.weight.differ()) return;
     const std::string where = settings_.script + ", fix property/atom weight", method = name_of(settings_.method);
     if (!tracks_parcels(settings_.method) && at_start_.highest_weight > 1)

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "base/archive.hpp"
 #include "base/engine_warnings.hpp"
 #include "run/case_gas.hpp"
 #include "settings/dictionary.hpp"
@@ -42,6 +43,11 @@ public:
 
     virtual bool write_due() const = 0;  ///< of the fields, at the present time
     virtual void write() = 0;            ///< the fields, now
+
+    /// Its clock.
+    virtual void keep(Archive& archive) = 0;
+    /// What sums up over time and begins anew in a run that goes on, in words; empty where nothing does.
+    virtual std::string sums_lost() const { return {}; }
 
     /// What the engine warned of so far; null where it has no words of its own.
     virtual EngineWarnings* warnings() { return nullptr; }

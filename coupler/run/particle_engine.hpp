@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "base/communicator.hpp"
 #include "base/count.hpp"
 #include "base/engine_warnings.hpp"
@@ -36,6 +37,20 @@ public:
 
     virtual double largest_diameter() const = 0;   ///< of the tracked spheres [m]. Collective.
     virtual double smallest_diameter() const = 0;  ///< of the tracked spheres [m]. Collective.
+
+    /// Before start(): this run is to go on from what keep() took in, as "solids", which follows start(). `kept`
+    /// outlives it.
+    virtual void go_on_from(Archive& kept) = 0;
+
+    /// Why the state of this scene cannot be kept, if it cannot.
+    virtual std::optional<Problem> cannot_be_kept() const { return std::nullopt; }
+
+    /// What of the scene sums up over time and begins anew in a run that goes on, in words; empty where nothing does.
+    virtual std::string sums_lost() const { return {}; }
+
+    /// Between two advance(): all that the next ones depend on; what it gives back takes the place of all particles.
+    /// Views of particles are no longer valid. Collective.
+    virtual void keep(Archive& archive) = 0;
 
     /// Sets the step [s] and readies the run of about `steps` steps, with or without a gas. Collective.
     virtual void start(double solid_step, long steps, bool with_gas) = 0;

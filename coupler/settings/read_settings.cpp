@@ -153,6 +153,14 @@ void read_records(Reader& dict, Settings& settings)
                 "give two points: the pressure of the first less that of the second is recorded");
 }
 
+void read_checkpoint(Reader& dict, Settings& settings)
+{
+    dict.number({"interval", "simulated time between two checkpoints", "s", "none by simulated time"},
+                settings.checkpoint_interval, above(0));
+    dict.number({"wallInterval", "time of the wall clock between two checkpoints", "s", "none by the clock"},
+                settings.checkpoint_wall_interval, above(0));
+}
+
 void read_all(Reader& dict, Settings& settings, const std::filesystem::path& folder)
 {
     read_method(dict, settings);
@@ -172,6 +180,10 @@ void read_all(Reader& dict, Settings& settings, const std::filesystem::path& fol
                 settings.outside_mesh, {{"stop", OutsideMesh::stop}, {"ignore", OutsideMesh::ignore}});
     dict.block({"records", "what is written to results.h5 and particles.h5"},
                [&](Reader& block) { read_records(block, settings); });
+    dict.block({"checkpoint",
+                "when the state is written from which the option -resume goes on; with either of these also at the "
+                "end. `touch checkpoint` in the case's folder asks for one"},
+               [&](Reader& block) { read_checkpoint(block, settings); });
 }
 
 }  // namespace

@@ -328,6 +328,7 @@ void CouplingStep::keep(Archive& archive)
     archive.keep("pushed", pushed_);
     archive.keep("booked_in", booked_in_);
     archive.keep("booked_out", booked_out_);
+    if (archive.loads()) knows_last_step_ = false;
 }
 
 }  // namespace interphase

@@ -42,6 +42,7 @@ FixTdhs::FixTdhs(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, 
     if (!atom->sphere_flag) error->all(FLERR, "Fix tdhs: the particles are no spheres; use atom_style granular");
     time_integrate = 1;
     create_attribute = 1;
+    restart_global = 1;
     comm_forward = most_forward;
     comm_reverse = most_reverse;
     vector_flag = 1;
@@ -69,6 +70,37 @@ void FixTdhs::post_run()
             "%d) "
             "or a shorter step\n",
             deepest, effort_.passes);
+}
+
+namespace {
+
+/// In a restart file.
+struct StepState {
+    StepLimits limits;
+    double reach, parts, shortened, deepest;
+};
+
+}  // namespace
+
+void FixTdhs::write_restart(FILE* file)
+{
+    const StepState state{limits_, reach_, static_cast<double>(parts_), static_cast<double>(shortened_),
+                          shared_max(deepest_)};
+    if (comm->me != 0) return;
+    const int bytes = sizeof state;
+    std::fwrite(&bytes, sizeof bytes, 1, file);
+    std::fwrite(&state, sizeof state, 1, file);
+}
+
+void FixTdhs::restart(char* buffer)
+{
+    StepState state;
+    std::memcpy(&state, buffer, sizeof state);
+    limits_ = state.limits;
+    reach_ = state.reach;
+    parts_ = static_cast<int>(state.parts);
+    shortened_ = static_cast<long>(state.shortened);
+    deepest_ = state.deepest;
 }
 
 int FixTdhs::setmask() { return LAMMPS_NS::FixConst::INITIAL_INTEGRATE | LAMMPS_NS::FixConst::FINAL_INTEGRATE; }

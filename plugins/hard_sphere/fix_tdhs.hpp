@@ -39,6 +39,10 @@ public:
     void final_integrate() override;
     void post_run() override;
 
+    /// How many parts the next step has and what they look at, beside what travels with the particles.
+    void write_restart(FILE* file) override;
+    void restart(char* buffer) override;
+
     void grow_arrays(int count) override;
     void copy_arrays(int from, int to, int) override;
     void set_arrays(int i) override;

@@ -11,6 +11,7 @@
 #include "atom.h"
 #include "base/problem.hpp"
 #include "base/text.hpp"
+#include "comm.h"
 #include "error.h"
 #include "modify.h"
 #include "mp_pic/fix_wall_mp_pic.hpp"
@@ -40,6 +41,7 @@ FixMpPic::FixMpPic(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg
     if (!atom->sphere_flag) error->all(FLERR, "Fix mp_pic: the particles are no spheres; use atom_style granular");
     time_integrate = 1;
     create_attribute = 1;
+    restart_global = 1;
     vector_flag = 1;
     size_vector = static_cast<int>(sums_.size());
     global_freq = 1;
@@ -53,6 +55,22 @@ FixMpPic::FixMpPic(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg
 FixMpPic::~FixMpPic() { atom->delete_callback(id, grow_callback); }
 
 int FixMpPic::setmask() { return LAMMPS_NS::FixConst::INITIAL_INTEGRATE | LAMMPS_NS::FixConst::FINAL_INTEGRATE; }
+
+void FixMpPic::write_restart(FILE* file)
+{
+    std::array<double, std::tuple_size_v<decltype(sums_)>> all{};
+    MPI_Reduce(sums_.data(), all.data(), static_cast<int>(all.size()), MPI_DOUBLE, MPI_SUM, 0, world);
+    if (comm->me != 0) return;
+    const int bytes = sizeof all;
+    std::fwrite(&bytes, sizeof bytes, 1, file);
+    std::fwrite(all.data(), sizeof all, 1, file);
+}
+
+void FixMpPic::restart(char* buffer)
+{
+    sums_ = {};
+    if (comm->me == 0) std::memcpy(sums_.data(), buffer, sizeof sums_);
+}
 
 void* FixMpPic::extract(const char* name, int& dimension)
 {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <variant>
@@ -34,6 +35,10 @@ public:
     void initial_integrate(int) override;
     void final_integrate() override;
     void* extract(const char* name, int& dimension) override;
+
+    /// The sums, beside what travels with the particles.
+    void write_restart(FILE* file) override;
+    void restart(char* buffer) override;
 
     void grow_arrays(int count) override;
     void copy_arrays(int from, int to, int) override;

@@ -68,6 +68,26 @@ TEST(Archive, NamesWhatIsMissing)
     }
 }
 
+/// Its bytes could be copied, and with them the place of what it refers to.
+struct Referring {
+    const int& of_the_run;
+    int number;
+    void keep(Archive& archive) { archive.keep("number", number); }
+};
+static_assert(std::is_trivially_copyable_v<Referring>);
+
+TEST(Archive, AsksAnObjectThatKeepsItself)
+{
+    const int first = 1, second = 2;
+    Referring before{first, 10}, after{second, 20};
+    Archive saved;
+    saved.keep("object", before);
+    Archive loaded = saved.to_load();
+    loaded.keep("object", after);
+    EXPECT_EQ(after.number, 10);
+    EXPECT_EQ(&after.of_the_run, &second);
+}
+
 TEST(Archive, RefusesAnotherSize)
 {
     Archive saved;

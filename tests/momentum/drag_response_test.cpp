@@ -83,7 +83,7 @@ TEST(AssumedDrag, WithoutDragThereIsNone)
     EXPECT_EQ(none.carried, Vector::Zero());
 }
 
-Hold judged(const Vector& by_contacts, const Vector& expected, double weight, int times = Hold::enough)
+Hold judged(const Vector& by_contacts, const Vector& expected, double weight, long times = Hold::enough)
 {
     Hold hold;
     hold.steps = 0;

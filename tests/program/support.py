@@ -60,9 +60,9 @@ class Finished:
         return found
 
 
-def execute(folder, ranks=1, timeout=LONGEST, **changes):
-    """The program on a prepared case, in place of an earlier run. `changes` of the environment."""
-    program = start(folder, ranks, ["-overwrite"], **changes)
+def execute(folder, ranks=1, timeout=LONGEST, options=("-overwrite",), **changes):
+    """The program on a prepared case, in place of an earlier run or with other words on its command line. `changes` of the environment."""
+    program = start(folder, ranks, list(options), **changes)
     try:
         out, err = program.communicate(timeout=timeout)
     except subprocess.TimeoutExpired:
@@ -157,9 +157,9 @@ class ProgramTest(unittest.TestCase):
         shutil.copytree(folder, target, symlinks=True)
         return target
 
-    def run_case(self, folder, ranks=1, timeout=LONGEST, **changes):
+    def run_case(self, folder, ranks=1, timeout=LONGEST, options=(), **changes):
         """Runs a prepared case and demands that it reaches its end."""
-        done = execute(folder, ranks, timeout, **changes)
+        done = execute(folder, ranks, timeout, options, **changes)
         self.assertEqual(done.code, 0, f"interphase on {ranks} ranks ended with {done.code}:\n{done.text[-4000:]}")
         return done
 

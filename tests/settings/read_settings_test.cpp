@@ -272,11 +272,11 @@ TEST_F(ReadSettings, RefusesUnknownKeysAndBlocks)
     refuses({{"wieght", 8.0}}, {}, "unknown entry `wieght`", "dict, line 1",
             "did you mean `weight`? known here: method, weight, plugins, particles, gas, drag, forces, mapping, "
             "outsideMesh, "
-            "records");
+            "records, checkpoint");
     refuses({{"maping", Block{}}}, {}, "unknown entry `maping`", "dict, line 1",
             "did you mean `mapping`? known here: method, weight, plugins, particles, gas, drag, forces, mapping, "
             "outsideMesh, "
-            "records");
+            "records, checkpoint");
     refuses({{"gas", Block{{"modell", "none"}}}}, {}, "unknown entry `modell`", "dict.gas, line 1",
             "did you mean `model`? known here: model, coupling");
 }

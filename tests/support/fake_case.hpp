@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,7 @@ public:
     double total_volume() const override { return box.volume(); }
     Box bounds() const override { return mesh_.whole(); }
     Vector gravity() const override { return gravity_; }
+    void keep(Archive&) override { throw std::logic_error("a fake gas keeps nothing"); }
 
 private:
     const BoxMesh& mesh_;
@@ -101,6 +103,7 @@ public:
         const double times = now / write_interval;
         return std::abs(times - std::round(times)) * write_interval < 0.5 * step && std::round(times) > 0;
     }
+    void keep(Archive& archive) override { archive.keep("now", now); }
     void write() override { written.push_back(now); }
     void with_own_errors(const std::function<void()>& body) const override { body(); }
 
@@ -128,6 +131,9 @@ public:
     std::optional<double> step_limit() const override { return limit; }
     double largest_diameter() const override { return diameter(); }
     double smallest_diameter() const override { return diameter(); }
+    void go_on_from(Archive&) override { throw std::logic_error("a fake engine keeps nothing"); }
+    void keep(Archive&) override { throw std::logic_error("a fake engine keeps nothing"); }
+    std::optional<Problem> cannot_be_kept() const override { return Problem{"a fake engine keeps nothing", "", ""}; }
     void start(double solid_step, long, bool) override { points_ = PointParticles(comm_, mine_, gravity_, solid_step); }
     void end_after(long steps) override { steps_left.push_back(steps); }
     ParticleView particles() override { return points_.particles(); }

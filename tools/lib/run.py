@@ -17,7 +17,7 @@ import time
 TOOLS = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 sys.path[0] = TOOLS  # not this folder: its statistics.py is not Python's
 
-from lib import case_folder, ending, foam_file, launch, mesh_choice  # noqa: E402
+from lib import case_folder, earlier_run, ending, foam_file, launch, mesh_choice  # noqa: E402
 from lib.case_folder import CONTROL, COUPLING, PARAMETERS, CaseError  # noqa: E402
 
 REPOSITORY = os.path.dirname(TOOLS)
@@ -27,6 +27,7 @@ EXAMPLES = """examples:
   tools/run cases/sscp1
   tools/run cases/sscp1 --method DEM --ranks 2 --until 0.5 --set inletVelocity=3.28
   tools/run cases/sscp1 --set system/couplingDict:drag/law=Gidaspow --out runs/gidaspow
+  tools/run cases/sscp1 --out runs/gidaspow --resume --until 2
 
 --set names an entry of the case's file `parameters`, or FILE:ENTRY of any other file in OpenFOAM syntax, nested
 by '/'. Entries are replaced, never added: what a case does not mention, add to its file first.
@@ -58,7 +59,7 @@ def arguments():
     parser.add_argument("case", metavar="CASE", nargs="?", help="a case folder, such as cases/sscp1")
     parser.add_argument("--method", help=f"collision method: {', '.join(case_folder.METHODS)} (default: the case's)")
     parser.add_argument("--weight", metavar="W", help="real particles per parcel, 1 for DEM and TDHS (default: the case's)")
-    parser.add_argument("--ranks", metavar="N", type=int, default=1, help="MPI ranks (default: 1)")
+    parser.add_argument("--ranks", metavar="N", type=int, help="MPI ranks (default: 1)")
     parser.add_argument("--until", metavar="T", help="simulated time to end at, in s (default: the case's)")
     parser.add_argument(
         "--set", metavar="KEY=VALUE", action="append", default=[], dest="settings",
@@ -68,13 +69,20 @@ def arguments():
         "--out", metavar="DIR", help="the run's folder (default: runs/<case>-<method>-w<weight>[-<N>ranks])"
     )
     parser.add_argument("--overwrite", action="store_true", help="replace an earlier run in the run's folder")
+    parser.add_argument(
+        "--resume", action="store_true",
+        help="go on from the newest whole checkpoint in the run's folder, to --until where that is given",
+    )
     parser.add_argument("--no-picture", action="store_true", help="draw no bed.png")
     parser.add_argument("--quiet", action="store_true", help="print errors only; the program's output is in its log")
     given = parser.parse_args()
     if given.case is None:
         raise CaseError(f"which case? Usage: tools/run CASE (see --help); {case_folder.listing(cases())}")
-    if given.ranks < 1:
+    if given.ranks is not None and given.ranks < 1:
         raise CaseError(f"--ranks {given.ranks}: at least one rank is needed")
+    for option, there in (("--overwrite", given.overwrite), ("--set", given.settings)):
+        if given.resume and there:
+            raise CaseError(f"--resume and {option}: a run goes on as it is; leave one of them away")
     return given
 
 
@@ -242,15 +250,27 @@ def main():
     method, weight = apply_settings(case, given)
     mesh_choice.check_settings(case, [split_setting(setting)[:2] for setting in given.settings])
     case_folder.anchor_plugins(case)
+    name = os.path.basename(case_path)
+    folder = os.path.abspath(given.out or default_folder(case_path, method, weight, given.ranks or 1))
+    earlier = earlier_run.record_of(folder, MARK, name) if given.resume else None
+    if earlier is None:
+        given.ranks = given.ranks or 1
+        check_folder(folder, case_path, given.overwrite)
+    given.ranks = given.ranks or earlier["ranks"]
     if given.ranks > 1:
         case_folder.set_number_of_subdomains(case, given.ranks)
-    name = os.path.basename(case_path)
-    folder = os.path.abspath(given.out or default_folder(case_path, method, weight, given.ranks))
-    check_folder(folder, case_path, given.overwrite)
 
     binary = program(given.quiet)
     variables = launch.additions(os.environ)
     environment = {**os.environ, **variables, "PATH": TOOLS + os.pathsep + os.environ.get("PATH", os.defpath)}
+
+    if earlier is not None:
+        if given.until is not None:
+            earlier_run.set_end(folder, given.until)
+        gas = case_folder.Dictionaries(folder).value(COUPLING, "gas/model", "pimple")
+        command = [*launch.command(binary, folder, given.ranks), "-resume"]
+        record = {**earlier, "until": given.until or earlier["until"], "command": command, "environment": variables}
+        return run(given, name, folder, gas, command, record, earlier_run.free_log(folder), variables, environment, say)
 
     if os.path.isdir(folder) and os.listdir(folder):
         say(f"replacing the earlier run in {folder}")
@@ -266,6 +286,11 @@ def main():
     gas = prepare(case, folder, given.ranks, environment, say)
 
     log = os.path.join(folder, "log.interphase")
+    return run(given, name, folder, gas, command, record, log, variables, environment, say)
+
+
+def run(given, name, folder, gas, command, record, log, variables, environment, say):
+    """The program on a prepared case, and what makes its run easy to look at; returns its exit code."""
     say(f"running\n  cd {folder}\n  {launch.as_typed(command, variables)}")
     started = time.time()
     passed_on = []

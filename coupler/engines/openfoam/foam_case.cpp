@@ -23,6 +23,7 @@
 #include "engines/openfoam/foam_errors.hpp"
 #include "engines/openfoam/frozen_gas.hpp"
 #include "engines/openfoam/function_objects.hpp"
+#include "engines/openfoam/gas_state.hpp"
 #include "engines/openfoam/listening_output.hpp"
 #include "engines/openfoam/patch_conditions.hpp"
 #include "engines/openfoam/pimple_gas.hpp"
@@ -156,6 +157,7 @@ FoamCase::FoamCase(int& argc, char**& argv) : parts_(std::make_unique<Parts>())
         return std::any_of(argv + 1, argv + argc, [option](const char* a) { return std::string(a) == option; });
     };
     Foam::argList::addBoolOption("overwrite", "Replace the records of an earlier run in the case's folder");
+    Foam::argList::addBoolOption("resume", "Go on from the newest whole checkpoint of the case");
     if (given("-help")) {
         Foam::argList::addNote("`interphase -help keys` lists the keys of system/couplingDict.");
         Foam::argList(argc, argv);  // shows it and exits
@@ -164,7 +166,7 @@ FoamCase::FoamCase(int& argc, char**& argv) : parts_(std::make_unique<Parts>())
     refuse_folder_without_case(folder);
     refuse_path_that_openfoam_cuts(folder);
     refuse_read_only_case(folder);
-    if (!given("-overwrite")) refuse_to_overwrite(folder);
+    if (!given("-overwrite") && !given("-resume")) refuse_to_overwrite(folder);
     refuse_wrong_decomposition(folder);
     if (ranks > 1 && !given("-parallel"))
         throw UserError("the run has " + std::to_string(ranks) + " ranks, and no option -parallel", "the command line",
@@ -213,6 +215,7 @@ std::unique_ptr<CaseGas> FoamCase::make_gas(const Settings& settings)
 }
 
 std::string FoamCase::name() const { return parts_->args->globalPath().name(); }
+bool FoamCase::resumes() const { return parts_->args->found("resume"); }
 std::string FoamCase::version() { return std::to_string(OPENFOAM); }
 
 double FoamCase::time() const { return parts_->time->value(); }
@@ -256,6 +259,18 @@ void FoamCase::write()
 {
     with_foam_errors([&] { parts_->time->writeNow(); });
     parts_->output->flush();
+}
+
+void FoamCase::keep(Archive& archive) { keep_time(archive, *parts_->time); }
+
+std::string FoamCase::sums_lost() const
+{
+    const Foam::dictionary* functions = parts_->time->controlDict().findDict("functions");
+    std::string names;
+    if (!functions) return names;
+    for (const Foam::word& name : functions->toc())
+        names += (names.empty() ? "" : ", ") + name;
+    return names;
 }
 
 EngineWarnings* FoamCase::warnings() { return &parts_->output->warnings(); }

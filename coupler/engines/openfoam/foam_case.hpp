@@ -24,6 +24,7 @@ public:
     std::string name() const override;
     std::string engine() const override { return "OpenFOAM " + version(); }
     static std::string version();
+    bool resumes() const;  ///< whether the command line has -resume
 
     double time() const override;
     double end_time() const override;
@@ -38,6 +39,9 @@ public:
 
     bool write_due() const override;  ///< by writeControl and writeInterval
     void write() override;
+
+    void keep(Archive& archive) override;
+    std::string sums_lost() const override;  ///< of function objects
 
     EngineWarnings* warnings() override;
     void with_own_errors(const std::function<void()>& body) const override;

@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "base/user_error.hpp"
+#include "engines/openfoam/gas_state.hpp"
 #include "fixedValueFvPatchFields.H"
 #include "fvcFlux.H"
 #include "fvcGrad.H"
@@ -185,6 +186,17 @@ Box GasFields::bounds() const
 }
 
 Vector GasFields::gravity() const { return {g_.value().x(), g_.value().y(), g_.value().z()}; }
+
+void GasFields::keep(Archive& archive)
+{
+    // conditions look at the fluxes when they are made anew
+    keep_field(archive, phi_);
+    keep_field(archive, superficial_phi_);
+    keep_field(archive, voidage_);
+    keep_field(archive, U_);
+    keep_field(archive, p_rgh_);
+    keep_field(archive, p_);
+}
 
 void GasFields::update_pressure() { p_ == p_rgh_ + rho_* properties_.height_potential(); }
 

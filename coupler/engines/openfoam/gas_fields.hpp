@@ -37,6 +37,7 @@ public:
     double total_volume() const override;
     Box bounds() const override;
     Vector gravity() const override;
+    void keep(Archive& archive) override;
 
 protected:
     /// p from p_rgh.

@@ -5,6 +5,7 @@
 #include "base/user_error.hpp"
 #include "constrainHbyA.H"
 #include "constrainPressure.H"
+#include "engines/openfoam/gas_state.hpp"
 #include "findRefCell.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
 #include "fixedValueFvPatchFields.H"
@@ -261,6 +262,12 @@ Crossing PimpleGas::crossing() const
     }
     const double dt = mesh_.time().deltaTValue();
     return {dt * total.in, dt * total.out};
+}
+
+void PimpleGas::keep(Archive& archive)
+{
+    GasFields::keep(archive);
+    keep_field(archive, gas_share_);
 }
 
 double PimpleGas::courant_number() const

@@ -30,6 +30,7 @@ public:
     Scalars outflow() const override;
     Crossing crossing() const override;
     double courant_number() const override;
+    void keep(Archive& archive) override;
 
 private:
     struct Response;

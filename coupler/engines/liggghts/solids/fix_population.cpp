@@ -86,6 +86,14 @@ void FixPopulation::watch(FixFluid* fluid)
     modify->n_pre_exchange = static_cast<int>(with_turns.size());
 }
 
+void FixPopulation::begin_anew()
+{
+    begin();
+    count_ = sum(atom->nlocal);
+    last_step_ = -1;
+    turn_ = 0;
+}
+
 void FixPopulation::begin()
 {
     departures_.clear();

@@ -28,6 +28,9 @@ public:
     /// `fluid`: the fix whose books departing particles take along, or null. After LIGGGHTS's init(). Collective.
     void watch(FixFluid* fluid);
 
+    /// Others are there now than those that were, and nobody came or went.
+    void begin_anew();
+
     /// Before the solids move.
     void begin();
     /// After: departures() and arrivals() are those in between, each departure on one rank. Collective.

@@ -16,6 +16,7 @@
 #include "engines/liggghts/solids/elastic_spheres.hpp"
 #include "engines/liggghts/solids/fix_fluid.hpp"
 #include "engines/liggghts/solids/fix_population.hpp"
+#include "engines/liggghts/solids/particle_state.hpp"
 #include "engines/liggghts/solids/scene_checks.hpp"
 #include "engines/liggghts/solids/weight_property.hpp"
 #include "fix_gravity.h"
@@ -143,6 +144,7 @@ void LiggghtsSolids::start(double solid_step, long steps, bool with_gas)
     if (with_gas) fluid_ = add_fix<FixFluid>(*lmp_, "interphase");  // the last one: it answers to all other forces
 
     // what `run` does before its loop, so that the loop can be continued at any length without setting up again
+    if (kept_) kept_->within("solids", [this] { take_up_step(*lmp_, *kept_); });
     LAMMPS_NS::Update& update = *lmp_->update;
     update.whichflag = 1;
     update.firststep = update.beginstep = update.ntimestep;
@@ -173,6 +175,21 @@ void LiggghtsSolids::end_after(long steps)
     lmp_->output->reset_timestep(update.ntimestep);
     --update.ntimestep;
     lmp_->modify->addstep_compute_all(lmp_->output->next_thermo);
+}
+
+std::optional<Problem> LiggghtsSolids::cannot_be_kept() const { return unkept_state(*lmp_, settings_.script); }
+
+std::string LiggghtsSolids::sums_lost() const { return sums_not_kept(*lmp_); }
+
+void LiggghtsSolids::keep(Archive& archive)
+{
+    const LastWords of_liggghts(comm_.is_master());
+    if (archive.loads())
+        put_back_particle_state(*lmp_, archive, settings_.script);
+    else
+        take_particle_state(*lmp_, archive);
+    population_->begin_anew();
+    archive.keep("remarks", *remarks_);
 }
 
 ParticleView LiggghtsSolids::particles()

@@ -36,8 +36,12 @@ public:
     std::string plugins() const override { return described(plugins_); }
     double largest_diameter() const override;
     double smallest_diameter() const override;
+    void go_on_from(Archive& kept) override { kept_ = &kept; }
     void start(double solid_step, long steps, bool with_gas) override;
     void end_after(long steps) override;
+    std::optional<Problem> cannot_be_kept() const override;
+    std::string sums_lost() const override;
+    void keep(Archive& archive) override;
 
     ParticleView particles() override;
     Vector gravity() const override { return gravity_; }
@@ -75,6 +79,7 @@ private:
     bool moves_come_first_ = false, takes_new_forces_ = false;
     Vector gravity_ = Vector::Zero();
     std::unique_ptr<SceneRemarks> remarks_;
+    Archive* kept_ = nullptr;             ///< that this run is to go on from
     std::vector<SpheresToCome> to_come_;  ///< at the start
 };
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "base/communicator.hpp"
 #include "base/count.hpp"
 #include "base/problem.hpp"
@@ -23,6 +24,13 @@ public:
     /// Collective.
     std::vector<Problem> now();
     std::vector<Count> counts() const;
+
+    void keep(Archive& archive)
+    {
+        archive.keep("overlaps", overlaps_);
+        archive.keep("unmoved", unmoved_);
+        archive.keep("fast_steps", fast_steps_);
+    }
 
 private:
     std::vector<Problem> of_scene();

@@ -1,0 +1,171 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+# processors: 2
+# timeout: 900
+"""A run that is stopped and goes on from its last checkpoint is the run that was not stopped, to the last bit: all methods, one and two ranks,
+for 20 gas steps. And what a resumed run refuses or tells."""
+
+import os
+import shutil
+import subprocess
+import sys
+import unittest
+
+import numpy
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+
+import support  # noqa: E402
+import test_populations  # noqa: E402
+import vessel  # noqa: E402
+from resumed_run import ResumedRun  # noqa: E402
+from vessel import DEPTH, DIAMETER, HEIGHT, WIDTH  # noqa: E402
+
+
+class Resume(ResumedRun, support.ProgramTest):
+    stop, end = 0.02, 0.04
+
+    def test_dem(self):
+        self.check("DEM")
+
+    def test_parcels_with_springs(self):
+        self.check("CGPM", ranks=2)
+
+    def test_hard_spheres(self):
+        self.check("TDHS")
+
+    def test_hard_parcels(self):
+        self.check("CGHS", ranks=2)
+
+    def test_mp_pic(self):
+        self.check("MPPIC")
+
+
+    def test_second_order_in_time(self):
+        """The scheme looks at two steps before, and conditions look at theirs."""
+        straight, stopped = self.ready("TDHS")
+        for folder in (straight, stopped):
+            self.set_entry(folder, "system/fvSchemes", "ddtSchemes/default", "backward")
+        self.compare(straight, stopped)
+
+    def test_steps_that_follow_the_flow(self):
+        """From a checkpoint of the straight run: one that stops takes other steps to its end."""
+        straight, other = self.ready("DEM")
+        for folder in (straight, other):
+            control = os.path.join(folder, "system/controlDict")
+            support.write(control, support.read(control) + "\nadjustTimeStep yes; maxCo 0.1; maxDeltaT 1e-3;\n")
+        whole = self.run_case(straight)
+        first, last = sorted(os.listdir(os.path.join(straight, "checkpoints")), key=float)
+        shutil.copytree(os.path.join(straight, "checkpoints", first), os.path.join(other, "checkpoints", first))
+        done = self.run_case(other, options=["-resume"])
+        self.expect_equal([os.path.join(folder, "checkpoints", last) for folder in (straight, other)], whole, done)
+        with whole.results() as results:
+            steps = numpy.diff(results["/ledger/time"][:])
+        self.assertGreater(steps.max() / steps.min(), 1.2)  # they do follow it
+
+    def test_without_gas(self):
+        straight, stopped = self.ready("CGPM", **{"system/couplingDict:gas/model": "none", "system/couplingDict:gas/coupling": "oneWay"})
+        self.compare(straight, stopped)
+
+    def test_a_stream_through_a_face_and_an_outlet(self):
+        """A mesh draws places with random numbers of its own, another deletes."""
+        self.count = 0
+        for method in ("TDHS", "DEM"):
+            with self.subTest(method=method):
+                root = os.path.join(self.root, method)
+                lines, _ = vessel.bed(6, above=4)
+                fixes = test_populations.spheres() + test_populations.STREAM + test_populations.outlet()
+                folder = vessel.case(root, lines, fixes)
+                test_populations.write_plane(os.path.join(folder, "dem/face.stl"), 0.085, 0.01, WIDTH - 0.01)
+                test_populations.write_plane(os.path.join(folder, "dem/outlet.stl"), 0.01)
+                self.compare(*self.copies(folder, method))
+
+    def test_is_asked_for_and_refused(self):
+        folder, _ = self.ready("TDHS")
+        self.edit(folder, "system/couplingDict", r"^checkpoint .*$", "")
+        self.set_entry(folder, "system/controlDict", "endTime", self.stop)
+        nothing = support.execute(folder, options=["-resume"])
+        self.assertEqual(nothing.code, 1)
+        self.assertIn("there is no checkpoint to go on from", nothing.err)
+
+        support.write(os.path.join(folder, "checkpoint"), "")  # as `touch checkpoint`
+        self.run_case(folder)
+        self.assertFalse(os.path.exists(os.path.join(folder, "checkpoint")))
+        (name,) = os.listdir(os.path.join(folder, "checkpoints"))
+        self.assertAlmostEqual(float(name), vessel.GAS_STEP, delta=1e-9)  # after the first step
+
+        self.set_entry(folder, "system/controlDict", "endTime", self.end)
+        self.edit(folder, "parameters", "inletVelocity( +)0.8", "inletVelocity 0.9")
+        self.edit(folder, "constant/transportProperties", "$", "// seen again\n")
+        other = support.execute(folder, options=["-resume"])
+        self.assertEqual(other.code, 1)
+        self.assertIn("the case is not as it was when checkpoints/0.001 was written", other.err)
+        self.assertIn("file constant/transportProperties has changed", other.err)
+        self.assertIn("-resume", other.err)
+
+    def test_goes_on_before_what_is_torn(self):
+        folder, _ = self.ready("TDHS")
+        self.edit(folder, "system/couplingDict", "^checkpoint .*$", "checkpoint { interval 0.005; }")
+        self.set_entry(folder, "system/controlDict", "endTime", self.stop)
+        self.run_case(folder)
+        self.assertEqual(sorted(os.listdir(os.path.join(folder, "checkpoints"))), ["0.015", "0.02"])
+        newest = os.path.join(folder, "checkpoints/0.02/rank0.state")
+        with open(newest, "r+b") as stream:
+            stream.seek(os.path.getsize(newest) // 2)
+            byte = stream.read(1)[0]
+            stream.seek(-1, os.SEEK_CUR)
+            stream.write(bytes([byte ^ 4]))
+        done = self.run_case(folder, options=["-resume"])
+        self.assertIn("checkpoints/0.02 is no whole checkpoint: rank0.state is not as it was written", done.err)
+        self.assertIn("the run goes on from checkpoints/0.015", done.err)
+        for kept in ("results.h5", "particles.h5", "snapshots/000000.h5"):
+            self.assertTrue(os.path.isfile(os.path.join(folder, "records-until-0.015", kept)), kept)
+        with done.results() as results:
+            self.assertAlmostEqual(results["/series/time"][0], 0.016, delta=1e-9)
+
+    def test_other_ranks_are_refused(self):
+        folder, _ = self.ready("TDHS", ranks=2)
+        self.set_entry(folder, "system/controlDict", "endTime", self.stop)
+        self.run_case(folder, ranks=2)
+        done = support.execute(folder, options=["-resume"])
+        self.assertEqual(done.code, 1)
+        self.assertIn("checkpoints/0.02 is of a run of 2 ranks, and this one has 1", done.err)
+
+    def test_tools_run_goes_on(self):
+        case, folder = self.bed("TDHS"), os.path.join(self.root, "run")
+        coupling = os.path.join(case, "system/couplingDict")
+        support.write(coupling, support.read(coupling) + f"\ncheckpoint {{ interval {self.stop}; }}\n")
+        self.edit(case, "parameters", r"^method .*$", "method TDHS;")
+        for key, value in (("width", WIDTH), ("depth", DEPTH), ("height", HEIGHT), ("diameter", DIAMETER), ("weight", 1)):
+            self.edit(case, "parameters", rf"^{key} .*$", f"{key} {value};")
+
+        def tools_run(*words):
+            command = [os.path.join(support.TOOLS, "run"), case, "--out", folder, "--no-picture", *words]
+            return subprocess.run(
+                command, env=support.environment(INTERPHASE_BIN=support.PROGRAM), capture_output=True, text=True, timeout=200
+            )
+
+        early = tools_run("--resume")
+        self.assertEqual(early.returncode, 2)
+        self.assertIn("holds no run of tools/run", early.stderr)
+        first = tools_run("--until", str(self.stop))
+        self.assertEqual(first.returncode, 0, first.stdout + first.stderr)
+        more = tools_run("--resume", "--until", str(self.end))
+        self.assertEqual(more.returncode, 0, more.stdout + more.stderr)
+        self.assertIn(f"Reached t = {self.end} s", more.stdout)
+        self.assertIn(f"Reached t = {self.end} s", support.read(folder, "log.interphase-2"))
+        self.assertEqual(tools_run("--resume", "--overwrite").returncode, 2)
+
+    def test_what_moves_is_told(self):
+        """A scene whose state cannot be held runs on, without checkpoints."""
+        folder, _ = self.ready("DEM")
+        script = os.path.join(folder, "dem/in.liggghts")
+        support.write(script, support.read(script) + "fix squeeze all deform 1 z scale 1.0\n")
+        self.set_entry(folder, "system/controlDict", "endTime", self.stop)
+        done = self.run_case(folder)
+        self.assertIn("a checkpoint cannot hold fix squeeze (deform)", done.err)
+        self.assertFalse(os.path.exists(os.path.join(folder, "checkpoints")))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,38 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+# label: slow
+# processors: 2
+# timeout: 7200
+"""A run that is stopped and goes on from its last checkpoint is the run that was not stopped, to the last bit: all methods, for 1,000 gas steps."""
+
+import os
+import sys
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+
+import support  # noqa: E402
+from resumed_run import ResumedRun  # noqa: E402
+
+
+class Resume(ResumedRun, support.ProgramTest):
+    stop, end = 0.02, 1.02
+
+    def test_dem(self):
+        self.check("DEM")
+
+    def test_parcels_with_springs(self):
+        self.check("CGPM", ranks=2)
+
+    def test_hard_spheres(self):
+        self.check("TDHS")
+
+    def test_hard_parcels(self):
+        self.check("CGHS", ranks=2)
+
+    def test_mp_pic(self):
+        self.check("MPPIC")
+
+
+if __name__ == "__main__":
+    unittest.main()
