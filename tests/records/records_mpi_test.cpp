@@ -184,11 +184,9 @@ TEST(ParticleSnapshots, TheXdmfLeadsToEveryDataSet)
                 continue;
             }
             for (const char* name : {"id", "diameter"})
-                EXPECT_TRUE(mentions("Dimensions=\"" + n + "\">" + file + ":/" + name + "</DataItem>"))
-                    << name;
+                EXPECT_TRUE(mentions("Dimensions=\"" + n + "\">" + file + ":/" + name + "</DataItem>")) << name;
             for (const char* name : {"position", "velocity", "angular_velocity", "force"})
-                EXPECT_TRUE(mentions("Dimensions=\"" + n + " 3\">" + file + ":/" + name + "</DataItem>"))
-                    << name;
+                EXPECT_TRUE(mentions("Dimensions=\"" + n + " 3\">" + file + ":/" + name + "</DataItem>")) << name;
         }
         const auto count = [&](const std::string& part) {
             std::size_t found = 0;
