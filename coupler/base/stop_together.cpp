@@ -47,8 +47,8 @@ Failure with_cause(Failure failure)
 {
     if (failure.code == ExitCode::disk || !disk_is_full(this_rank())) return failure;
     failure.code = ExitCode::disk;
-    failure.message +=
-        "\n  disk:   full, that of " + std::filesystem::current_path().string() + ", which may be the cause";
+    failure.message = "the disk is full, which may be the cause: " + failure.message + "\n  disk:   make room at " +
+                      std::filesystem::current_path().string();
     return failure;
 }
 

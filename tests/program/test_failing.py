@@ -130,7 +130,7 @@ class Failing(support.ProgramTest):
             while True:
                 filler.write(bytes(4096))
         out, err = program.communicate(timeout=SECONDS)
-        self.ends_with_cause(support.Finished(case, program.returncode, out, err), DISK, "the disk is full", "remedy: make room")
+        self.ends_with_cause(support.Finished(case, program.returncode, out, err), DISK, "the disk is full", "(remedy: |disk: +)make room")
 
     def test_script(self):
         """LIGGGHTS adds a joke to every fifth error, from memory that it has freed; here it would to each."""
