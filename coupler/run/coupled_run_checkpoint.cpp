@@ -50,13 +50,12 @@ Checkpoints::Facts CoupledRun::facts() const
            {"plug-ins", without_places(solids_->plugins())},
            {"solid step", text(clock_.solid_step()) + " s"}};
     for (const InputFile& file : case_inputs(".", settings_.script, settings_.variables)) {
-        std::string words = file.sha256;
+        std::string words = file.sha256 + " of " + text(static_cast<double>(file.bytes)) + " bytes";
         if (file.path == control && file.text) {
             std::istringstream rest(without_end(file));
             words = sha256(rest);
         }
-        all.emplace_back("file " + file.path, words + " of " + text(static_cast<double>(file.bytes)) + " bytes");
-        if (file.path == control && file.text) all.back().second = words;
+        all.emplace_back("file " + file.path, words);
     }
     return all;
 }

@@ -87,3 +87,18 @@ class ResumedRun:
         self.assertGreater(len(ends[0][1]["id"]), self.count)
         for name, values in ends[0][1].items():
             self.assertEqual(values.tobytes(), ends[1][1][name].tobytes(), name)
+
+    def test_dem(self):
+        self.check("DEM")
+
+    def test_parcels_with_springs(self):
+        self.check("CGPM", ranks=2)
+
+    def test_hard_spheres(self):
+        self.check("TDHS")
+
+    def test_hard_parcels(self):
+        self.check("CGHS", ranks=2)
+
+    def test_mp_pic(self):
+        self.check("MPPIC")

@@ -25,22 +25,6 @@ from vessel import DEPTH, DIAMETER, HEIGHT, WIDTH  # noqa: E402
 class Resume(ResumedRun, support.ProgramTest):
     stop, end = 0.02, 0.04
 
-    def test_dem(self):
-        self.check("DEM")
-
-    def test_parcels_with_springs(self):
-        self.check("CGPM", ranks=2)
-
-    def test_hard_spheres(self):
-        self.check("TDHS")
-
-    def test_hard_parcels(self):
-        self.check("CGHS", ranks=2)
-
-    def test_mp_pic(self):
-        self.check("MPPIC")
-
-
     def test_second_order_in_time(self):
         """The scheme looks at two steps before, and conditions look at theirs."""
         straight, stopped = self.ready("TDHS")

@@ -18,21 +18,6 @@ from resumed_run import ResumedRun  # noqa: E402
 class Resume(ResumedRun, support.ProgramTest):
     stop, end = 0.02, 1.02
 
-    def test_dem(self):
-        self.check("DEM")
-
-    def test_parcels_with_springs(self):
-        self.check("CGPM", ranks=2)
-
-    def test_hard_spheres(self):
-        self.check("TDHS")
-
-    def test_hard_parcels(self):
-        self.check("CGHS", ranks=2)
-
-    def test_mp_pic(self):
-        self.check("MPPIC")
-
 
 if __name__ == "__main__":
     unittest.main()
