@@ -41,9 +41,8 @@ int couple(int argc, char** argv)
         [](const Communicator& comm, const Settings& settings) {
             return std::make_unique<LiggghtsSolids>(comm, settings);
         },
-        gas_case.resumes() ? Beginning::last_checkpoint : Beginning::anew);
-    const int signal = run.run();
-    return signal == 0 ? static_cast<int>(ExitCode::finished) : exit_code_of_signal(signal);
+        gas_case.options());
+    return run.run();
 }
 
 std::optional<interphase::Failure> run(int argc, char** argv, int& code)

@@ -13,6 +13,7 @@ enum class ExitCode : int {
     openfoam = 5,  ///< OpenFOAM ended with an error of its own
     disk = 6,      ///< what was to be written could not be, or the disk of the case is full
     internal = 7,  ///< an error of the program itself, or no memory left
+    wall_limit = 8,  ///< ended before its limit of wall-clock time; it can go on
 };
 
 /// With what a run ends that signal `number` has ended, as in a shell.

@@ -121,20 +121,31 @@ void Hdf5File::set_attribute(const std::string& path, const std::string& name, c
     replace_attribute(object(path), name, H5T_NATIVE_DOUBLE, space(shape), values.data());
 }
 
-Hdf5File::Column& Hdf5File::column(const std::string& path, const std::string& unit)
+double Hdf5File::number_attribute(const std::string& path, const std::string& name)
+{
+    const Hdf5Handle attribute(H5Aopen_by_name(file_, path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                               "the attribute " + name);
+    double value = 0;
+    if (H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) < 0) throw unwritten("HDF5 could not read " + name, path);
+    return value;
+}
+
+void Hdf5File::make_column(const std::string& path, const std::string& unit)
+{
+    const hsize_t none = 0, unlimited = H5S_UNLIMITED;
+    const Hdf5Handle shape(H5Screate_simple(1, &none, &unlimited), H5Sclose, "a data space");
+    const Hdf5Handle creation = property_list(H5P_DATASET_CREATE);
+    H5Pset_chunk(creation, 1, &rows_per_chunk);
+    const Hdf5Handle made(
+        H5Dcreate2(file_, path.c_str(), H5T_NATIVE_DOUBLE, shape, with_parent_groups(), creation, H5P_DEFAULT),
+        H5Dclose, path);
+    write_unit(made, unit);
+}
+
+Hdf5File::Column& Hdf5File::column(const std::string& path)
 {
     const auto found = columns_.find(path);
     if (found != columns_.end()) return found->second;
-    if (!there(file_, path)) {
-        const hsize_t none = 0, unlimited = H5S_UNLIMITED;
-        const Hdf5Handle shape(H5Screate_simple(1, &none, &unlimited), H5Sclose, "a data space");
-        const Hdf5Handle creation = property_list(H5P_DATASET_CREATE);
-        H5Pset_chunk(creation, 1, &rows_per_chunk);
-        const Hdf5Handle made(
-            H5Dcreate2(file_, path.c_str(), H5T_NATIVE_DOUBLE, shape, with_parent_groups(), creation, H5P_DEFAULT),
-            H5Dclose, path);
-        write_unit(made, unit);
-    }
     Hdf5Handle data_set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, path);
     hsize_t rows = 0;
     const Hdf5Handle shape(H5Dget_space(data_set), H5Sclose, "a data space");
@@ -142,9 +153,16 @@ Hdf5File::Column& Hdf5File::column(const std::string& path, const std::string& u
     return columns_.emplace(path, Column{std::move(data_set), rows}).first->second;
 }
 
+std::size_t Hdf5File::length(const std::string& path)
+{
+    if (columns_.find(path) == columns_.end() && !there(file_, path)) return 0;
+    return column(path).rows;
+}
+
 void Hdf5File::append(const std::string& path, const std::string& unit, const std::vector<double>& values)
 {
-    Column& to = column(path, unit);
+    if (columns_.find(path) == columns_.end() && !there(file_, path)) make_column(path, unit);
+    Column& to = column(path);
     const hsize_t added = values.size(), count = to.rows + added;
     demand(H5Dset_extent(to.data_set, &count), path);
     const Hdf5Handle target(H5Dget_space(to.data_set), H5Sclose, "a data space");
@@ -186,6 +204,7 @@ void Hdf5File::write_text(const std::string& path, const std::string& text)
     H5Tset_size(type, text.empty() ? 1 : text.size());
     H5Tset_cset(type, H5T_CSET_UTF8);
     const Hdf5Handle scalar(H5Screate(H5S_SCALAR), H5Sclose, "a data space");
+    if (there(file_, path)) remove(path);
     const Hdf5Handle data_set(
         H5Dcreate2(file_, path.c_str(), type, scalar, with_parent_groups(), H5P_DEFAULT, H5P_DEFAULT), H5Dclose, path);
     demand(H5Dwrite(data_set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()), path);
@@ -196,6 +215,40 @@ void Hdf5File::link(const std::string& path, const std::string& file, const std:
     demand(H5Lcreate_external(file.c_str(), of_file.c_str(), file_, path.c_str(), with_parent_groups(), H5P_DEFAULT),
            path);
 }
+
+std::vector<std::string> Hdf5File::names_in(const std::string& path)
+{
+    std::vector<std::string> names;
+    if (path != "/" && !there(file_, path)) return names;
+    const Hdf5Handle group(H5Gopen2(file_, path.c_str(), H5P_DEFAULT), H5Gclose, "the group " + path);
+    const auto add = [](hid_t, const char* name, const H5L_info_t*, void* to) -> herr_t {
+        static_cast<std::vector<std::string>*>(to)->emplace_back(name);
+        return 0;
+    };
+    H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names);
+    return names;
+}
+
+std::vector<double> Hdf5File::numbers(const std::string& path)
+{
+    if (!there(file_, path)) return {};
+    const Hdf5Handle data_set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, path);
+    const Hdf5Handle shape(H5Dget_space(data_set), H5Sclose, "a data space");
+    std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(shape)));
+    if (!values.empty() && H5Dread(data_set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+        throw unwritten("HDF5 could not read " + path, "the case folder");
+    return values;
+}
+
+void Hdf5File::shorten(const std::string& path, std::size_t rows)
+{
+    columns_.erase(path);
+    const hsize_t count = rows;
+    const Hdf5Handle data_set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, path);
+    demand(H5Dset_extent(data_set, &count), path);
+}
+
+void Hdf5File::remove(const std::string& path) { demand(H5Ldelete(file_, path.c_str(), H5P_DEFAULT), path); }
 
 void Hdf5File::flush() { demand(H5Fflush(file_, H5F_SCOPE_GLOBAL), "what was recorded"); }
 

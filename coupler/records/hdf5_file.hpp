@@ -48,6 +48,9 @@ public:
     void set_attribute(const std::string& object, const std::string& name, const std::vector<double>& values,
                        const std::vector<hsize_t>& shape);
 
+    /// An attribute with one number.
+    double number_attribute(const std::string& object, const std::string& name);
+
     /// Appends to a one-dimensional data set of doubles, made with its unit where it is missing.
     void append(const std::string& path, const std::string& unit, const std::vector<double>& values);
 
@@ -56,11 +59,26 @@ public:
     void write_rows(const std::string& path, const std::string& unit, hid_t type, const void* data, std::size_t rows,
                     std::size_t columns, std::size_t first_row, std::size_t all_rows);
 
-    /// Writes a new scalar data set of a text without zero bytes.
+    /// Writes a scalar data set of a text without zero bytes (replacing an older one).
     void write_text(const std::string& path, const std::string& text);
 
     /// Makes the link `path` to the object `of_file` of another file, which is looked for from this file's folder.
     void link(const std::string& path, const std::string& file, const std::string& of_file);
+
+    /// Names of what is in a group; none where there is no such group.
+    std::vector<std::string> names_in(const std::string& group);
+
+    /// How many rows a data set has; 0 where there is none.
+    std::size_t length(const std::string& path);
+
+    /// The numbers of a one-dimensional data set; none where there is no such data set.
+    std::vector<double> numbers(const std::string& path);
+
+    /// Takes what append() has added after the first `rows`.
+    void shorten(const std::string& path, std::size_t rows);
+
+    /// Takes a link, and with the last one what it leads to.
+    void remove(const std::string& path);
 
     /// The file is complete on disk then, for all who open it.
     void flush();
@@ -75,7 +93,8 @@ private:
     };
 
     Hdf5Handle object(const std::string& path);
-    Column& column(const std::string& path, const std::string& unit);
+    Column& column(const std::string& path);
+    void make_column(const std::string& path, const std::string& unit);
 
     Hdf5Handle file_;
     bool collective_;

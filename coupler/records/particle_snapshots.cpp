@@ -3,6 +3,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -17,6 +18,7 @@ namespace {
 constexpr const char* index_file = "particles.h5";
 constexpr const char* scene_file = "particles.xdmf";
 constexpr const char* folder = "snapshots";
+constexpr double none = -1e300;  // no time
 
 std::string number_text(int number)
 {
@@ -43,37 +45,77 @@ void put_in_place(const std::string& part, const std::string& file)
         throw unwritten("it cannot be put in place: " + std::string(std::strerror(errno)), file);
 }
 
-/// Snapshots of an earlier run, and what a killed one has left; nothing else that may be in the folder.
-void remove_snapshots()
+/// From its number on: snapshots of an earlier run, and what a killed one has left; nothing else that may be in the
+/// folder.
+void remove_snapshots(int first)
 {
     std::error_code ignored;
     for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
         const std::string name = entry.path().filename().string();
         const std::string ending = name.size() > 6 ? name.substr(6) : "";
-        if (name.find_first_not_of("0123456789") == 6 && (ending == ".h5" || ending == ".h5.part"))
+        if (name.find_first_not_of("0123456789") == 6 && (ending == ".h5" || ending == ".h5.part") &&
+            name >= number_text(first))
             std::filesystem::remove(entry.path(), ignored);
     }
 }
 
 }  // namespace
 
-ParticleSnapshots::ParticleSnapshots(const Communicator& comm) : comm_(comm)
+ParticleSnapshots::ParticleSnapshots(const Communicator& comm, std::optional<double> goes_on_from) : comm_(comm)
 {
+    const bool goes_on = goes_on_from && std::filesystem::exists(index_file);
     if (comm_.is_master()) {
-        std::remove(scene_file);
-        index_.emplace(index_file);
-        index_->change([](Hdf5File& file) { file.set_attribute("/snapshots", "unit_system", "SI"); });
-        index_->publish();
+        index_.emplace(index_file, goes_on ? TwinFile::Start::from_what_is_there : TwinFile::Start::anew);
         std::error_code error;
         std::filesystem::create_directories(folder, error);
         if (error) throw unwritten("it cannot be made: " + error.message(), std::filesystem::absolute(folder).string());
-        remove_snapshots();
+        if (goes_on)
+            take_up(*goes_on_from);
+        else {
+            std::remove(scene_file);
+            index_->change([](Hdf5File& file) { file.set_attribute("/snapshots", "unit_system", "SI"); });
+            index_->publish();
+            remove_snapshots(0);
+        }
     }
-    comm_.barrier();
+    Scalars known{static_cast<double>(count_), last_.value_or(none)};  // of the first rank
+    comm_.max(known);
+    count_ = static_cast<int>(known[0]);
+    if (known[1] > none) last_ = known[1];
+}
+
+void ParticleSnapshots::take_up(double time)
+{
+    Hdf5File index = Hdf5File::open(index_file);
+    const std::vector<std::string> names = index.names_in("/snapshots");
+    for (const std::string& name : names) {
+        const int number = std::atoi(name.c_str());
+        if (!std::filesystem::exists(file_of(number))) continue;  // taken away to make room
+        Hdf5File file = Hdf5File::open(file_of(number));
+        const double at = file.number_attribute("/", "time");
+        if (at > time) break;
+        count_ = number + 1;
+        last_ = at;
+        write_xdmf(number, file.length("/id"), at, file.length("/weight") > 0);
+    }
+    for (const std::string& name : names)
+        if (std::atoi(name.c_str()) >= count_) later_.push_back("/snapshots/" + name);
+}
+
+void ParticleSnapshots::drop_later_ones()
+{
+    index_->change([later = std::move(later_)](Hdf5File& file) {
+        for (const std::string& link : later)
+            file.remove(link);
+    });
+    later_.clear();
+    index_->publish();
+    remove_snapshots(count_);
 }
 
 void ParticleSnapshots::write(double time, const ParticleRows& rows)
 {
+    if (comm_.is_master() && !later_.empty()) drop_later_ones();
     const auto mine = static_cast<double>(rows.id.size());
     std::size_t first = 0, all = 0;
     const Scalars counts = comm_.all_gather({mine});
@@ -106,20 +148,23 @@ void ParticleSnapshots::write(double time, const ParticleRows& rows)
             [name, link = "/snapshots/" + number_text(count_)](Hdf5File& file) { file.link(link, name, "/"); });
         index_->publish();
     }
+    last_ = time;
+    if (comm_.is_master()) {
+        write_xdmf(count_, all, time, rows.weight.has_value());
+        write_scene();
+    }
     ++count_;
-    if (comm_.is_master()) write_xdmf(all, time, rows.weight.has_value());
 }
 
-void ParticleSnapshots::write_xdmf(std::size_t particles, double time, bool with_weights)
+void ParticleSnapshots::write_xdmf(int number, std::size_t particles, double time, bool with_weights)
 {
-    const std::string file = file_of(count_ - 1);
+    const std::string file = file_of(number);
     char stamp[64];
     std::snprintf(stamp, sizeof stamp, "%.12g", time);
     grids_ += std::string("<Grid Name=\"particles\" GridType=\"Uniform\"><Time Value=\"") + stamp + "\"/>\n" +
               "<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"" + std::to_string(particles) + "\"/>\n";
     if (particles == 0) {  // ParaView's reader takes no array without rows, and a geometry without any
         grids_ += "<Geometry GeometryType=\"XYZ\"/>\n</Grid>\n";
-        write_scene();
         return;
     }
     grids_ += "<Geometry GeometryType=\"XYZ\">" + item(file, "position", particles, 3) + "</Geometry>\n";
@@ -132,7 +177,6 @@ void ParticleSnapshots::write_xdmf(std::size_t particles, double time, bool with
         grids_ += std::string("<Attribute Name=\"") + name + "\" AttributeType=\"Scalar\" Center=\"Node\">" +
                   item(file, name, particles, 1) + "</Attribute>\n";
     grids_ += "</Grid>\n";
-    write_scene();
 }
 
 void ParticleSnapshots::write_scene() const

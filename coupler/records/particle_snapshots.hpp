@@ -25,20 +25,28 @@ struct ParticleRows {
 /// run that is killed at any moment has whole snapshots only.
 class ParticleSnapshots {
 public:
-    /// What was there before goes. Collective.
-    explicit ParticleSnapshots(const Communicator& comm);
+    /// What was there before goes; where the run goes on from a time [s], only the snapshots after it, with the next
+    /// one that is written. Collective.
+    explicit ParticleSnapshots(const Communicator& comm, std::optional<double> goes_on_from = std::nullopt);
 
     /// Collective.
     void write(double time, const ParticleRows& rows);
 
+    /// When the last one was written [s]; nothing before the first.
+    std::optional<double> last() const { return last_; }
+
 private:
+    void take_up(double time);
+    void drop_later_ones();
     void write_scene() const;
-    void write_xdmf(std::size_t particles, double time, bool with_weights);
+    void write_xdmf(int number, std::size_t particles, double time, bool with_weights);
 
     Communicator comm_;
     std::optional<TwinFile> index_;  ///< on rank 0
     int count_ = 0;
-    std::string grids_;  ///< the part of the XDMF that lists the snapshots
+    std::optional<double> last_;
+    std::vector<std::string> later_;  ///< names of links to snapshots that go with the next one
+    std::string grids_;               ///< the part of the XDMF that lists the snapshots
 };
 
 }  // namespace interphase

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 
 namespace interphase {
 
@@ -16,16 +17,20 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 
 }  // namespace
 
-Results::Results(const Communicator& comm)
+Results::Results(const Communicator& comm, std::optional<double> goes_on_from)
 {
-    if (comm.is_master()) file_.emplace("results.h5");
+    if (!comm.is_master()) return;
+    constexpr const char* name = "results.h5";
+    const bool goes_on = goes_on_from && std::filesystem::exists(name);
+    file_.emplace(name, goes_on ? TwinFile::Start::from_what_is_there : TwinFile::Start::anew);
+    if (goes_on) file_->change([time = *goes_on_from](Hdf5File& file) { keep_rows_until(file, time); });
 }
 
 void Results::add_row(const std::string& group, const std::vector<Entry>& row)
 {
     if (!file_) return;
     for (const Entry& entry : row) {
-        Column& column = columns_[group + "/" + entry.name];
+        ColumnRows& column = tables_[group][entry.name];
         column.unit = entry.unit;
         column.rows.push_back(entry.value);
     }
@@ -67,13 +72,10 @@ void Results::flush()
 {
     if (!file_) return;
     const double start = now();
-    for (auto& [path, column] : columns_) {
-        if (column.rows.empty()) continue;
-        file_->change([path = path, unit = column.unit, rows = std::move(column.rows)](Hdf5File& file) {
-            file.append(path, unit, rows);
-        });
-        column.rows.clear();
-    }
+    for (auto& [group, columns] : tables_)
+        file_->change(
+            [group = group, columns = std::move(columns)](Hdf5File& file) { append_rows(file, group, columns); });
+    tables_.clear();
     rows_wait_ = false;
     file_->publish();
     last_flush_ = now();

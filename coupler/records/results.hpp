@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/communicator.hpp"
+#include "records/tables.hpp"
 #include "records/twin_file.hpp"
 
 namespace interphase {
@@ -16,8 +17,8 @@ namespace interphase {
 /// calls do nothing. The file is whole at any moment (TwinFile).
 class Results {
 public:
-    /// What was there before goes with the first flush().
-    explicit Results(const Communicator& comm);
+    /// What was there before goes with the first flush(); where the run goes on from a time [s], only rows after it.
+    explicit Results(const Communicator& comm, std::optional<double> goes_on_from = std::nullopt);
 
     /// One number of a row: name, unit, value.
     struct Entry {
@@ -26,7 +27,7 @@ public:
         double value;
     };
 
-    /// Adds a row to the group, e.g. "/series". Every row of a group has the same entries.
+    /// Adds a row to the table, e.g. "/series". Every row of a table has the same entries.
     void add_row(const std::string& group, const std::vector<Entry>& row);
 
     void describe(const std::string& group, const std::string& name, const std::string& value);
@@ -44,13 +45,8 @@ public:
     void flush();
 
 private:
-    struct Column {
-        std::string unit;
-        std::vector<double> rows;
-    };
-
     std::optional<TwinFile> file_;
-    std::map<std::string, Column> columns_;  ///< by path; rows that are not in the file yet
+    std::map<std::string, std::map<std::string, ColumnRows>> tables_;  ///< rows that are not in the file yet
     bool rows_wait_ = false;
     double last_flush_ = 0, last_step_ = 0;  ///< when, by the wall clock [s]
     double cost_ = 0;                        ///< of the last flush, in wall-clock time [s]

@@ -39,14 +39,14 @@ void TwinFile::drop_next()
 void TwinFile::ready_next()
 {
     if (next_) return;
-    if (!shown_) {
+    if (!shown_ && start_ == Start::anew) {
         next_.reset(new Copy{Hdf5File::create(next())});
         return;
     }
     std::error_code error;
     std::filesystem::copy_file(path_, next(), std::filesystem::copy_options::overwrite_existing, error);
     if (error) refuse(next(), error.message());
-    next_.reset(new Copy{Hdf5File::open(next()), shown_->changes});
+    next_.reset(new Copy{Hdf5File::open(next()), shown_ ? shown_->changes : 0});
 }
 
 void TwinFile::publish()

@@ -18,7 +18,10 @@ namespace interphase {
 /// other one catches up and is the next. Each change is written twice, whatever the size of the file.
 class TwinFile {
 public:
-    explicit TwinFile(std::string path) : path_(std::move(path)) {}
+    /// What the first publish() does with a file that is there.
+    enum class Start { anew, from_what_is_there };
+
+    explicit TwinFile(std::string path, Start start = Start::anew) : path_(std::move(path)), start_(start) {}
     ~TwinFile();
     TwinFile(const TwinFile&) = delete;
     TwinFile& operator=(const TwinFile&) = delete;
@@ -28,8 +31,8 @@ public:
     /// To be made with the next publish(); it is called once for each copy.
     void change(Change change) { changes_.push_back(std::move(change)); }
 
-    /// All changes so far stand in the file then. The first one replaces a file that was there. Throws a UserError
-    /// where the disk does not take it: the file is then what it was.
+    /// All changes so far stand in the file then. The first one replaces a file that was there, or adds to it. Throws
+    /// a UserError where the disk does not take it: the file is then what it was.
     void publish();
 
 private:
@@ -44,6 +47,7 @@ private:
     void take_the_name();
 
     std::string path_;
+    Start start_;
     std::vector<Change> changes_;  ///< that not both copies have
     std::unique_ptr<Copy> shown_, next_;
 };

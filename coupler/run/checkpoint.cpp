@@ -279,6 +279,26 @@ std::optional<Checkpoints::Found> Checkpoints::newest(std::vector<std::string>& 
     }
 }
 
+std::string Checkpoints::newest_name() const
+{
+    if (!comm_.is_master()) return "";
+    const Listing all = listing(folder_);
+    return all.whole.empty() ? "" : all.whole.front().second.string();
+}
+
+void Checkpoints::refuse_earlier(const std::optional<std::string>& wrong) const
+{
+    comm_.fail_together(wrong ? std::optional(Problem{"checkpoints of an earlier run are in the way: " + *wrong,
+                                                      folder_.string(), "move them elsewhere"})
+                              : std::nullopt);
+}
+
+void Checkpoints::remove_earlier() const
+{
+    const auto wrong = tried(comm_, comm_.is_master(), [&] { fs::remove_all(folder_); });
+    refuse_earlier(wrong);
+}
+
 std::string Checkpoints::put_earlier_aside() const
 {
     std::string name;
@@ -292,9 +312,7 @@ std::string Checkpoints::put_earlier_aside() const
         fs::rename(folder_, aside());
         name = aside();
     });
-    comm_.fail_together(wrong ? std::optional(Problem{"checkpoints of an earlier run are in the way: " + *wrong,
-                                                      folder_.string(), "move them elsewhere"})
-                              : std::nullopt);
+    refuse_earlier(wrong);
     return shared(comm_, name);
 }
 

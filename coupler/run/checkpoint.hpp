@@ -41,11 +41,19 @@ public:
     /// The newest one that is whole. `passed_over` tells of each newer one that is not.
     std::optional<Found> newest(std::vector<std::string>& passed_over) const;
 
+    /// Of the newest one with a manifest, on the first rank; empty where there is none, and on the others.
+    std::string newest_name() const;
+
+    /// Those of an earlier run go.
+    void remove_earlier() const;
+
     /// Those of an earlier run are moved to a folder of their own, whose name is given back; empty where there are
     /// none.
     std::string put_earlier_aside() const;
 
 private:
+    void refuse_earlier(const std::optional<std::string>& wrong) const;
+
     Communicator comm_;
     std::filesystem::path folder_;
 };

@@ -15,8 +15,6 @@ namespace interphase {
 
 namespace {
 
-constexpr const char* trigger = "checkpoint";  // a file in the case's folder that asks for one
-
 /// The end may be another when a run goes on.
 std::string without_end(const InputFile& file)
 {
@@ -103,38 +101,19 @@ void CoupledRun::find_checkpoint()
         report_.warn(words + "\n  remedy: the one before it is taken");
     if (!kept_)
         throw UserError("there is no checkpoint to go on from", "checkpoints/",
-                        "start without -resume; `checkpoint { interval 0.1; }` in system/couplingDict writes some");
+                        "start without -resume; a run writes some every so often and when it ends, unless "
+                        "system/couplingDict, checkpoint, says otherwise");
     if (const auto problem = solids_->cannot_be_kept()) throw UserError(*problem);
     refuse_other_run(*kept_);
     kept_->state.within("case", [this] { case_.keep(kept_->state); });
     solids_->go_on_from(kept_->state);
 }
 
-/// What this run records goes to new files; those of the part before stay, in a folder of their own.
-void CoupledRun::put_records_aside() const
+void CoupledRun::make_way_for_checkpoints(bool overwrites) const
 {
-    std::string folder = "records-until-" + text(kept_->time);
-    std::string wrong;
-    if (comm_.is_master()) try {
-            namespace fs = std::filesystem;
-            const std::string name = folder;
-            for (int number = 2; fs::exists(folder); ++number)
-                folder = name + "-" + std::to_string(number);
-            fs::create_directory(folder);
-            for (const char* file : {"results.h5", "particles.h5", "particles.xdmf", "snapshots"})
-                if (fs::exists(file)) fs::rename(file, fs::path(folder) / file);
-        } catch (const std::exception& error) {
-            wrong = error.what();
-        }
-    comm_.fail_together(wrong.empty() ? std::nullopt
-                                      : std::optional(Problem{"the records so far could not be put aside: " + wrong,
-                                                              folder, "give the right to write in the case's folder"}));
-    report_.warn("the run goes on from " + kept_->path + "; what it recorded before is in " + folder +
-                 "/, and may reach beyond t = " + text(kept_->time) + " s");
-}
-
-void CoupledRun::put_checkpoints_aside() const
-{
+    if (settings_.checkpoint_interval > 0)
+        if (const auto problem = solids_->cannot_be_kept()) report_.warn(problem->message());
+    if (overwrites) return checkpoints_.remove_earlier();
     const std::string folder = checkpoints_.put_earlier_aside();
     if (!folder.empty())
         report_.warn("the run starts anew; checkpoints of an earlier one are in " + folder +
@@ -150,9 +129,8 @@ void CoupledRun::keep(Archive& archive)
         archive.keep("coupling", *coupling_);
     else
         archive.keep("population", *without_gas_);
-    archive.keep("rows", *rows_);
-    if (own_snapshots_) archive.keep("snapshots", *own_snapshots_);
-    if (simulated_checkpoints_) archive.keep("checkpoints", *simulated_checkpoints_);
+    records_->keep(archive);
+    archive.within("checkpoints", [&] { checkpoint_schedule_.keep(archive); });
     archive.keep("gas_step", gas_step_);
     archive.keep("population_at_start", at_start_);
 }
@@ -174,46 +152,55 @@ void CoupledRun::go_on()
     };
     tell(solids_->sums_lost(), settings_.script);
     tell(case_.sums_lost(), "system/controlDict, functions,");
+    kept_->state.keep("spent", spent_before_);
+    report_.warn("the run goes on from " + kept_->path + "; what an earlier part of it recorded after t = " +
+                 text(kept_->time) + " s makes way for what comes now");
     kept_.reset();
 }
 
-void CoupledRun::begin_checkpoints()
+std::string CoupledRun::describe_checkpoints() const
 {
-    if (settings_.checkpoint_interval <= 0) return;
-    simulated_checkpoints_.emplace(case_.time(), settings_.checkpoint_interval);
-    simulated_checkpoints_->pass(case_.time(), gas_step_);
+    if (!checkpoint_schedule_.regular()) return checkpoint_schedule_.description();
+    if (const auto problem = solids_->cannot_be_kept()) return "none: " + problem->what;
+    return checkpoint_schedule_.description();
 }
 
-bool CoupledRun::checkpoint_due()
+void CoupledRun::checkpoint_if_due()
 {
-    const double now = case_.time();
-    bool due = simulated_checkpoints_ && simulated_checkpoints_->due(now, gas_step_);
-    if (simulated_checkpoints_) simulated_checkpoints_->pass(now, gas_step_);
-    const bool by_clock = settings_.checkpoint_wall_interval > 0 &&
-                          report_.wall_seconds() > last_checkpoint_ + settings_.checkpoint_wall_interval;
-    std::error_code none;
-    const bool asked =
-        comm_.is_master() && std::filesystem::is_regular_file(trigger, none) && std::filesystem::remove(trigger, none);
-    const bool wanted = simulated_checkpoints_ || settings_.checkpoint_wall_interval > 0 || stopped_by_ != 0;
-    due = due || (ended_ && wanted);
-    return comm_.any(asked || (comm_.is_master() && by_clock)) || due;
-}
-
-void CoupledRun::checkpoint()
-{
+    const CheckpointSchedule::Due due = checkpoint_schedule_.due(
+        comm_, {case_.time(), gas_step_, report_.wall_seconds(), requests_->take_checkpoint(), ended_});
+    if (due == CheckpointSchedule::Due::no) return;
     stopwatch_.switch_to(Phase::output);
-    last_checkpoint_ = report_.wall_seconds();
+    const double start = report_.wall_seconds();
+    write_checkpoint(due);
+    const double end = report_.wall_seconds();
+    checkpoint_schedule_.written(end, end - start);
+    wall_limit_.kept(end - start);
+}
+
+void CoupledRun::write_checkpoint(CheckpointSchedule::Due why)
+{
     if (const auto problem = solids_->cannot_be_kept()) {
-        report_.warn(problem->message());
+        if (why == CheckpointSchedule::Due::asked) report_.warn(problem->message());
         return;
     }
+    records_->flush();  // rows up to here are there when a run goes on from here
     Archive saved;
     keep(saved);
+    SpentTime spent = spent_before_.with(comm_, stopwatch_, report_.wall_seconds());
+    saved.keep("spent", spent);
     const std::optional<Problem> problem = checkpoints_.write(case_.time(), saved, facts());
     if (problem) report_.warn(problem->message());
-    // this run goes on from what it wrote, so that one that starts from there goes on likewise
+    if (why != CheckpointSchedule::Due::by_time) return;
     Archive loading = Archive::loading(saved.state());
     keep(loading);
+}
+
+std::string CoupledRun::way_to_go_on() const
+{
+    const std::string newest = checkpoints_.newest_name();
+    if (newest.empty()) return "";
+    return "The run can go on from " + newest + ": the same command with -resume, or tools/run with --resume.";
 }
 
 }  // namespace interphase

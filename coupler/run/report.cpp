@@ -79,16 +79,19 @@ void Report::warn(const std::string& message) const
 void Report::summary(const Summary& of) const
 {
     if (!prints_) return;
-    const double wall = wall_seconds();
+    const double wall = of.spent.wall, before = wall - wall_seconds();
+    constexpr double shown = 0.5;  // [s]
+    const std::string taken = duration(wall) + " of wall time" +
+                              (before > shown ? ", " + duration(before) + " of them before it went on here" : "");
     if (of.stopped_by.empty())
-        std::printf("\nReached t = %.6g s in %s of wall time.\n", of.simulated_time, duration(wall).c_str());
+        std::printf("\nReached t = %.6g s in %s.\n", of.simulated_time, taken.c_str());
     else
-        std::printf("\nStopped by %s at t = %.6g s of %.6g s, after %s of wall time.\n", of.stopped_by.c_str(),
-                    of.simulated_time, end_time_, duration(wall).c_str());
+        std::printf("\nStopped by %s at t = %.6g s of %.6g s, after %s.\n", of.stopped_by.c_str(), of.simulated_time,
+                    end_time_, taken.c_str());
     std::printf("\n  wall-clock time [s], the slowest rank's\n");
     for (std::size_t phase = 0; phase < phase_names.size(); ++phase)
-        std::printf("    %-10s %10.2f  %5.1f %%\n", std::string(phase_names[phase]).c_str(), of.seconds[phase],
-                    100 * of.seconds[phase] / wall);
+        std::printf("    %-10s %10.2f  %5.1f %%\n", std::string(phase_names[phase]).c_str(), of.spent.seconds[phase],
+                    100 * of.spent.seconds[phase] / wall);
     if (!of.balances.empty()) std::printf("\n  balances\n");
     for (const Account* account : of.balances)
         std::printf("    %s  %.1e %s\n", account->sides().c_str(), account->residual(), account->relative_to().c_str());
@@ -108,6 +111,7 @@ void Report::summary(const Summary& of) const
     if (!of.counts.empty()) std::printf("\n  counted\n");
     for (const Count& count : of.counts)
         std::printf("    %-38s %ld\n", count.text.c_str(), count.number);
+    if (!of.way_to_go_on.empty()) std::printf("\n%s\n", of.way_to_go_on.c_str());
     std::fflush(stdout);
 }
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "base/stopwatch.hpp"
 #include "run/observation.hpp"
+#include "run/spent_time.hpp"
 #include "step/coupling_step.hpp"
 #include "step/population_totals.hpp"
 
@@ -31,11 +31,12 @@ public:
 
     struct Summary {
         double simulated_time;
-        std::string stopped_by;                          ///< the signal's name; empty at the end time
-        std::array<double, phase_names.size()> seconds;  ///< the slowest rank's, phase by phase
-        std::vector<const Account*> balances;            ///< of a run in which the particles act on the gas
+        std::string stopped_by;                ///< the signal's name or the limit; empty at the end time
+        SpentTime spent;                       ///< by all parts of the run
+        std::vector<const Account*> balances;  ///< of a run in which the particles act on the gas
         PopulationTotals population;
         std::vector<Count> counts;
+        std::string way_to_go_on;  ///< empty where the run has reached its end
     };
     void summary(const Summary& of) const;
 

@@ -157,8 +157,11 @@ void read_checkpoint(Reader& dict, Settings& settings)
 {
     dict.number({"interval", "simulated time between two checkpoints", "s", "none by simulated time"},
                 settings.checkpoint_interval, above(0));
-    dict.number({"wallInterval", "time of the wall clock between two checkpoints", "s", "none by the clock"},
-                settings.checkpoint_wall_interval, above(0));
+    dict.number({"wallInterval",
+                 "time of the wall clock between two checkpoints, longer where they take more than a hundredth of the "
+                 "time; 0: none by the clock",
+                 "s"},
+                settings.checkpoint_wall_interval, at_least(0));
 }
 
 void read_all(Reader& dict, Settings& settings, const std::filesystem::path& folder)
@@ -182,7 +185,7 @@ void read_all(Reader& dict, Settings& settings, const std::filesystem::path& fol
                [&](Reader& block) { read_records(block, settings); });
     dict.block({"checkpoint",
                 "when the state is written from which the option -resume goes on; with either of these also at the "
-                "end. `touch checkpoint` in the case's folder asks for one"},
+                "end. `touch checkpoint` in the case's folder or SIGUSR1 asks for one"},
                [&](Reader& block) { read_checkpoint(block, settings); });
 }
 

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <numeric>
 #include <sstream>
@@ -199,6 +201,79 @@ TEST(ParticleSnapshots, TheXdmfLeadsToEveryDataSet)
         EXPECT_EQ(count("<Grid "), 3u);  // the collection and its two members
     }
     world().barrier();
+}
+
+TEST(Results, GoOnBehindTheRowsUpToATime)
+{
+    const test::ScratchFolder folder(world());
+    {
+        Results results(world());
+        results.describe("/meta", "case", std::string("sscp1"));
+        for (const double row : {1.0, 2.0, 3.0, 4.0})
+            results.add_row("/series", {{"time", "s", row / 10}, {"old", "1", row}, {"both", "1", row}});
+        results.flush();
+    }
+    world().barrier();
+    const auto series = [](const char* name) { return OpenFile("results.h5").doubles(std::string("/series/") + name); };
+    {
+        Results results(world(), 0.2);
+        if (world().is_master()) {
+            EXPECT_EQ(series("time").size(), 4u);  // until the first flush
+        }
+        results.keep_text("/meta/text", "a");
+        results.add_row("/series", {{"time", "s", 0.25}, {"new", "m", 5}, {"both", "1", 5}});
+        results.flush();
+        results.keep_text("/meta/text", "b");
+        results.add_row("/series", {{"time", "s", 0.3}, {"new", "m", 6}, {"both", "1", 6}});
+        results.flush();
+    }
+    world().barrier();
+    if (!world().is_master()) return;
+    const OpenFile file("results.h5");
+    EXPECT_EQ(file.word("/meta", "case"), "sscp1");
+    EXPECT_EQ(series("time"), (Scalars{0.1, 0.2, 0.25, 0.3}));
+    EXPECT_EQ(series("both"), (Scalars{1, 2, 5, 6}));
+    const Scalars old = series("old"), fresh = series("new");  // rows that have no such number hold NaN
+    ASSERT_EQ(old.size(), 4u);
+    ASSERT_EQ(fresh.size(), 4u);
+    for (std::size_t row = 0; row < 4; ++row) {
+        EXPECT_EQ(std::isnan(old[row]), row >= 2);
+        EXPECT_EQ(std::isnan(fresh[row]), row < 2);
+    }
+    EXPECT_EQ(file.word("/series/new", "unit"), "m");
+}
+
+TEST(ParticleSnapshots, GoOnBehindThoseUpToATime)
+{
+    const test::ScratchFolder folder(world());
+    {
+        ParticleSnapshots snapshots(world());
+        for (int number = 0; number < 4; ++number)
+            snapshots.write(0.25 * number, rows(number % 2));
+    }
+    {
+        ParticleSnapshots snapshots(world(), 0.25);
+        EXPECT_EQ(snapshots.last(), 0.25);
+        if (world().is_master()) {
+            EXPECT_TRUE(std::filesystem::exists("snapshots/000003.h5"));  // until one takes its place
+        }
+        world().barrier();
+        snapshots.write(0.3, rows(0));
+    }
+    world().barrier();
+    if (!world().is_master()) return;
+    const OpenFile file("particles.h5");
+    EXPECT_EQ(file.attribute("/snapshots/000001", "time"), Scalars{0.25});
+    EXPECT_EQ(file.attribute("/snapshots/000002", "time"), Scalars{0.3});
+    EXPECT_FALSE(file.has("/snapshots/000003"));
+    EXPECT_FALSE(std::filesystem::exists("snapshots/000003.h5"));
+    std::stringstream xdmf;
+    xdmf << std::ifstream("particles.xdmf").rdbuf();
+    std::size_t times = 0;
+    for (const char* time : {"\"0\"", "\"0.25\"", "\"0.3\""})
+        times += xdmf.str().find(std::string("<Time Value=") + time) != std::string::npos;
+    EXPECT_EQ(times, 3u);
+    EXPECT_EQ(xdmf.str().find("\"0.5\""), std::string::npos);
 }
 
 }  // namespace

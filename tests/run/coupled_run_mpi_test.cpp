@@ -50,15 +50,18 @@ protected:
 
     void run()
     {
-        CoupledRun coupled(the_case, [this](const Communicator& comm, const Settings&) {
-            auto made =
-                std::make_unique<FakeEngine>(comm, comm.is_master() ? all : std::vector<Particle>{}, particle_gravity);
-            made->collision_time = collision_time;
-            made->to_come = to_come;
-            if (comm.is_master()) made->coming = coming;
-            engine = made.get();
-            return made;
-        });
+        CoupledRun coupled(
+            the_case,
+            [this](const Communicator& comm, const Settings&) {
+                auto made = std::make_unique<FakeEngine>(comm, comm.is_master() ? all : std::vector<Particle>{},
+                                                         particle_gravity);
+                made->collision_time = collision_time;
+                made->to_come = to_come;
+                if (comm.is_master()) made->coming = coming;
+                engine = made.get();
+                return made;
+            },
+            options);
         ended_by = coupled.run();
         advances = engine->advances;
     }
@@ -84,6 +87,7 @@ protected:
     Scalars to_come;
     FakeEngine* engine = nullptr;
     std::vector<int> advances;
+    RunOptions options;
     int ended_by = 0;
 };
 
@@ -167,7 +171,7 @@ TEST_F(CoupledRunTest, EndsAfterTheStepInWhichOneRankIsAskedTo)
         };
         says({{"records", Block{{"interval", 0.01}}}});
         run();
-        EXPECT_EQ(ended_by, signal);
+        EXPECT_EQ(ended_by, 128 + signal);
         EXPECT_EQ(the_case.steps.size(), 4u);
         EXPECT_EQ(the_case.written.size(), 1u);
         if (!world().is_master()) continue;
@@ -177,6 +181,18 @@ TEST_F(CoupledRunTest, EndsAfterTheStepInWhichOneRankIsAskedTo)
         EXPECT_EQ(results.word("/meta", "stopped_by").substr(0, 3), "SIG");
         EXPECT_TRUE(particles.has("/snapshots/000001"));
     }
+}
+
+TEST_F(CoupledRunTest, EndsBeforeItsLimitOfWallClockTime)
+{
+    options.wall_limit = 0.1;  // less than the half second that is kept back: after the first step
+    the_case.end = 1e3;
+    run();
+    EXPECT_EQ(ended_by, static_cast<int>(ExitCode::wall_limit));
+    EXPECT_EQ(the_case.steps.size(), 1u);
+    EXPECT_EQ(the_case.written.size(), 1u);
+    if (!world().is_master()) return;
+    EXPECT_EQ(OpenFile("results.h5").word("/meta", "stopped_by"), "its limit of wall-clock time");
 }
 
 TEST_F(CoupledRunTest, ASecondSignalEndsAtOnce)

@@ -22,8 +22,8 @@ def record_of(folder, mark, case):
         raise CaseError(f"--resume: {folder} holds a run of {record.get('case')}, not of {case}; name its folder by --out DIR")
     if not os.path.isdir(os.path.join(folder, "checkpoints")):
         raise CaseError(
-            f"--resume: {folder} has no checkpoints; `checkpoint {{ interval 0.1; }}` in system/couplingDict, or `touch "
-            f"{os.path.join(folder, 'checkpoint')}` while it runs, would have written some"
+            f"--resume: {folder} has no checkpoints: it ended before the first was due, or in an error; start it anew "
+            "(--overwrite)"
         )
     return record
 

@@ -14,7 +14,9 @@ KINDS = {
     5: "OpenFOAM ended with an error of its own",
     6: "the disk is full",
     7: "an error of the program itself, or no memory left",
+    8: "its limit of wall time was near",
 }
+WALL_LIMIT = 8
 
 MOST_LINES = 30
 RULE = re.compile(r"-{20,}$")  # about what mpirun says
@@ -49,9 +51,24 @@ def kind(code):
     return launch.how_it_ended(code if code < 128 else 128 - code)
 
 
-def closing_words(code, log, folder, quiet):
+def stopped_by(code, signals):
+    """What ended a run in good order before its end, by its exit code and the signals that were passed on to it; or nothing."""
+    if len(signals) == 1 and code == 128 + signals[0]:
+        return signals[0].name
+    return "--wall-limit" if code == WALL_LIMIT else None
+
+
+def way_to_go_on(case, folder):
+    """The command line that goes on from a run's newest checkpoint, as the end of a sentence; empty where there is none."""
+    checkpoints = os.path.join(folder, "checkpoints")
+    if not os.path.isdir(checkpoints) or not any(not name.startswith(".") for name in os.listdir(checkpoints)):
+        return ""
+    return f".\nIt goes on from its last checkpoint by `tools/run {case} --out {folder} --resume`"
+
+
+def closing_words(code, log, folder, quiet, go_on):
     """What tools/run says last of a run that did not reach its end: the cause behind everything else."""
-    words = f"interphase stopped before its end {kind(code)}. What it recorded is kept in {folder}, its output in {log}"
+    words = f"interphase stopped before its end {kind(code)}. What it recorded is kept in {folder}, its output in {log}{go_on}"
     why = cause(log)
     if code == 128 + 9:
         why.append("SIGKILL from elsewhere is often the system's, for want of memory: see `dmesg`; take more machines or a smaller bed")

@@ -44,8 +44,8 @@ environment:
   INTERPHASE_PLUGIN_PATH   folders with plug-ins, separated by ':'
   WM_PROJECT_DIR   the OpenFOAM to use (default: Debian's, /usr/share/openfoam)
 
-Ctrl-C (SIGINT) and SIGTERM end the run after the gas step in progress, with gas, summary and picture; a second one
-ends it at once.
+Ctrl-C (SIGINT) and SIGTERM end the run after the gas step in progress, with gas, checkpoint, summary and picture; a
+second one ends it at once. SIGUSR1 to the program, or `touch DIR/checkpoint`, writes a checkpoint.
 
 exit code: the program's (0 only when the run reached its end; tools/CLUSTERS.md has the table); 2 where the command line
 or the case is refused; 1 where a step before the program fails."""
@@ -73,6 +73,10 @@ def arguments():
         "--resume", action="store_true",
         help="go on from the newest whole checkpoint in the run's folder, to --until where that is given",
     )
+    parser.add_argument(
+        "--wall-limit", metavar="S", dest="wall_limit",
+        help="end, with a checkpoint from which --resume goes on, before the run has taken S seconds of wall time",
+    )
     parser.add_argument("--no-picture", action="store_true", help="draw no bed.png")
     parser.add_argument("--quiet", action="store_true", help="print errors only; the program's output is in its log")
     given = parser.parse_args()
@@ -80,10 +84,20 @@ def arguments():
         raise CaseError(f"which case? Usage: tools/run CASE (see --help); {case_folder.listing(cases())}")
     if given.ranks is not None and given.ranks < 1:
         raise CaseError(f"--ranks {given.ranks}: at least one rank is needed")
+    if given.wall_limit is not None and not is_time(given.wall_limit):
+        raise CaseError(f"--wall-limit {given.wall_limit}: give the seconds that the run may take, above 0")
     for option, there in (("--overwrite", given.overwrite), ("--set", given.settings)):
         if given.resume and there:
             raise CaseError(f"--resume and {option}: a run goes on as it is; leave one of them away")
     return given
+
+
+def is_time(words):
+    """Whether `words` are a number above 0, and no endless one."""
+    try:
+        return 0 < float(words) < float("inf")
+    except ValueError:
+        return False
 
 
 def cases():
@@ -121,11 +135,7 @@ def apply_settings(case, given):
         except CaseError as error:
             raise CaseError(f"--set {setting}: {error}") from None
     if chosen["until"] is not None:
-        try:
-            reachable = 0 < float(chosen["until"]) < float("inf")
-        except ValueError:
-            reachable = False
-        if not reachable:
+        if not is_time(chosen["until"]):
             raise CaseError(f"--until {chosen['until']}: give a time in s, above 0")
         case.set_at_source(CONTROL, "endTime", chosen["until"])
     return case_folder.set_method_and_weight(case, chosen["method"], chosen["weight"])
@@ -292,16 +302,20 @@ def main():
 def run(given, name, folder, gas, command, record, log, variables, environment, say):
     """The program on a prepared case, and what makes its run easy to look at; returns its exit code."""
     say(f"running\n  cd {folder}\n  {launch.as_typed(command, variables)}")
+    if given.wall_limit is not None:
+        command = [*command, "-wallLimit", given.wall_limit]
     started = time.time()
     passed_on = []
     code = launch.run(command, log, environment, folder, given.quiet, passed_on)
     write_record(folder, {**record, "exit_code": code, "wall_time": round(time.time() - started, 3)})
-    if len(passed_on) == 1 and code == 128 + passed_on[0]:
+    go_on = ending.way_to_go_on(given.case, folder)
+    stopped = ending.stopped_by(code, passed_on)
+    if stopped:
         finish(folder, name, gas, given.ranks, not given.no_picture, environment, say)
-        print(f"tools/run: stopped by {passed_on[0].name} before its end. What it recorded is in {folder}", file=sys.stderr)
+        print(f"tools/run: stopped by {stopped} before its end. What it recorded is in {folder}{go_on}", file=sys.stderr)
         return code
     if code != 0:
-        print(f"tools/run: {ending.closing_words(code, log, folder, given.quiet)}", file=sys.stderr)
+        print(f"tools/run: {ending.closing_words(code, log, folder, given.quiet, go_on)}", file=sys.stderr)
         return code
     finish(folder, name, gas, given.ranks, not given.no_picture, environment, say)
     return 0

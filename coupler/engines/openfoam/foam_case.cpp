@@ -109,10 +109,12 @@ void refuse_to_overwrite(const std::filesystem::path& folder)
 {
     const std::optional<std::string> earlier = earlier_records(folder);
     if (!earlier) return;
+    const bool can_go_on = std::filesystem::is_directory(folder / "checkpoints");
     throw UserError("the folder holds the records of an earlier run, which this one would replace: " + *earlier,
                     std::filesystem::absolute(folder).lexically_normal().string(),
-                    "move them away, or start in another copy of the case (tools/run CASE --out DIR makes one); "
-                    "-overwrite replaces them");
+                    std::string(can_go_on ? "-resume goes on from its last checkpoint; or " : "") +
+                        "move them away, or start in another copy of the case (tools/run CASE --out DIR makes one); "
+                        "-overwrite replaces them");
 }
 
 /// A file of the case, from its folder on, that holds a dictionary; an empty one where there is no such file.
@@ -158,6 +160,7 @@ FoamCase::FoamCase(int& argc, char**& argv) : parts_(std::make_unique<Parts>())
     };
     Foam::argList::addBoolOption("overwrite", "Replace the records of an earlier run in the case's folder");
     Foam::argList::addBoolOption("resume", "Go on from the newest whole checkpoint of the case");
+    Foam::argList::addOption("wallLimit", "seconds", "End, with a checkpoint, before the run has taken so long");
     if (given("-help")) {
         Foam::argList::addNote("`interphase -help keys` lists the keys of system/couplingDict.");
         Foam::argList(argc, argv);  // shows it and exits
@@ -215,7 +218,20 @@ std::unique_ptr<CaseGas> FoamCase::make_gas(const Settings& settings)
 }
 
 std::string FoamCase::name() const { return parts_->args->globalPath().name(); }
-bool FoamCase::resumes() const { return parts_->args->found("resume"); }
+
+RunOptions FoamCase::options() const
+{
+    RunOptions options;
+    options.resumes = parts_->args->found("resume");
+    options.overwrites = parts_->args->found("overwrite");
+    if (!parts_->args->found("wallLimit")) return options;
+    with_foam_errors([&] { options.wall_limit = parts_->args->get<Foam::scalar>("wallLimit"); });
+    if (!(options.wall_limit > 0))
+        throw UserError("-wallLimit " + std::to_string(options.wall_limit) + " leaves no time", "the command line",
+                        "give the seconds that the run may take, above 0");
+    return options;
+}
+
 std::string FoamCase::version() { return std::to_string(OPENFOAM); }
 
 double FoamCase::time() const { return parts_->time->value(); }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "run/gas_case.hpp"
+#include "run/run_options.hpp"
 
 namespace interphase {
 
@@ -24,7 +25,7 @@ public:
     std::string name() const override;
     std::string engine() const override { return "OpenFOAM " + version(); }
     static std::string version();
-    bool resumes() const;  ///< whether the command line has -resume
+    RunOptions options() const;  ///< as the command line has them
 
     double time() const override;
     double end_time() const override;

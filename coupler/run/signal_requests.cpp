@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "run/stop_request.hpp"
+#include "run/signal_requests.hpp"
 
 #include <csignal>
 
@@ -7,10 +7,14 @@ namespace interphase {
 
 namespace {
 
-volatile std::sig_atomic_t noted = 0;
+volatile std::sig_atomic_t noted = 0, checkpoint_asked = 0;
 
 void note(int number)
 {
+    if (number == SIGUSR1) {
+        checkpoint_asked = 1;
+        return;
+    }
     if (noted) {
         std::signal(number, SIG_DFL);
         std::raise(number);  // takes effect when this returns; the process ends by it, as the shell expects
@@ -20,9 +24,9 @@ void note(int number)
 
 }  // namespace
 
-StopRequest::StopRequest()
+SignalRequests::SignalRequests()
 {
-    noted = 0;
+    noted = checkpoint_asked = 0;
     struct sigaction action = {};
     action.sa_handler = note;
     action.sa_flags = SA_RESTART;  // reading, writing and waiting go on
@@ -34,15 +38,22 @@ StopRequest::StopRequest()
     }
 }
 
-StopRequest::~StopRequest()
+SignalRequests::~SignalRequests()
 {
     for (std::size_t i = 0; i < signals.size(); ++i)
         sigaction(signals[i], &before_[i], nullptr);
 }
 
-int StopRequest::signal() const { return noted; }
+int SignalRequests::end() const { return noted; }
 
-const char* StopRequest::name_of(int signal)
+bool SignalRequests::take_checkpoint()
+{
+    const bool asked = checkpoint_asked != 0;
+    checkpoint_asked = 0;
+    return asked;
+}
+
+const char* SignalRequests::name_of(int signal)
 {
     switch (signal) {
         case SIGINT:

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "records/tables.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace interphase {
+
+namespace {
+
+void fill_up(Hdf5File& file, const std::string& path, const std::string& unit, std::size_t rows)
+{
+    const std::size_t there = file.length(path);
+    if (there >= rows) return;
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+    file.append(path, unit, std::vector<double>(rows - there, nothing));
+}
+
+}  // namespace
+
+void append_rows(Hdf5File& file, const std::string& group, const std::map<std::string, ColumnRows>& columns)
+{
+    const std::vector<std::string> names = file.names_in(group);
+    std::size_t rows = 0;
+    for (const std::string& name : names)
+        rows = std::max(rows, file.length(group + "/" + name));
+    for (const auto& [name, column] : columns) {
+        fill_up(file, group + "/" + name, column.unit, rows);
+        file.append(group + "/" + name, column.unit, column.rows);
+    }
+    if (columns.empty()) return;
+    rows += columns.begin()->second.rows.size();
+    for (const std::string& name : names)
+        fill_up(file, group + "/" + name, "", rows);
+}
+
+void keep_rows_until(Hdf5File& file, double time)
+{
+    for (const std::string& group : file.names_in("/")) {
+        const std::vector<double> times = file.numbers("/" + group + "/time");
+        const auto later = std::find_if(times.begin(), times.end(), [time](double t) { return t > time; });
+        if (later == times.end()) continue;
+        for (const std::string& name : file.names_in("/" + group))
+            file.shorten("/" + group + "/" + name, static_cast<std::size_t>(later - times.begin()));
+    }
+}
+
+}  // namespace interphase

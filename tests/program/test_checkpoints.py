@@ -1,0 +1,176 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+# processors: 2
+# timeout: 600
+"""When checkpoints are written: at the end, by the wall clock, when a signal or a file asks, before the limit of wall-clock time. A run
+is not changed by one that it was asked for, and says how it goes on."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+
+import support  # noqa: E402
+import vessel  # noqa: E402
+from resumed_run import ResumedScene, parts, states  # noqa: E402
+
+FOR_EVER = 1000  # [s], simulated
+WALL_LIMIT = 8
+
+
+def checkpoints(folder):
+    path = os.path.join(folder, "checkpoints")
+    return sorted((name for name in os.listdir(path) if not name.startswith(".")), key=float) if os.path.isdir(path) else []
+
+
+class Checkpoints(ResumedScene, support.ProgramTest):
+    end = 0.02
+
+    def scene(self, method="TDHS", ranks=1, end=None, checkpoint=""):
+        folder = vessel.prepared(self, self.bed(method), method, ranks, end or self.end, weight=self.weight(method))
+        if checkpoint:
+            path = os.path.join(folder, "system/couplingDict")
+            support.write(path, support.read(path) + f"\ncheckpoint {{ {checkpoint} }}\n")
+        return folder
+
+    def started(self, folder, ranks=1, options=()):
+        program = support.start(folder, ranks, options)
+        self.addCleanup(program.stdout.close)
+        self.addCleanup(program.stderr.close)
+        while "t = 0 " not in (line := program.stdout.readline()):
+            self.assertTrue(line, "ended before its first step")
+        return program
+
+    def wait_for(self, condition, program):
+        for _ in range(3000):
+            if condition():
+                return
+            self.assertIsNone(program.poll(), "the run has ended")
+            time.sleep(0.01)
+        self.fail("nothing came within 30 s")
+
+    def stopped(self, program, number=signal.SIGUSR2):
+        program.send_signal(number)
+        out, err = program.communicate(timeout=60)
+        return program.returncode, out, err
+
+    def goes_on(self, folder, ranks=1):
+        newest = float(checkpoints(folder)[-1])
+        self.set_entry(folder, "system/controlDict", "endTime", newest + 2 * vessel.GAS_STEP)
+        done = self.run_case(folder, ranks, options=["-resume"])
+        self.assertIn("the run goes on from checkpoints/", done.err)
+
+    def test_one_at_the_end_by_default(self):
+        folder = self.scene()
+        done = self.run_case(folder)
+        self.assertIn("checkpoints  every 600 s of wall time, and at the end", done.out)
+        self.assertEqual(checkpoints(folder), [f"{self.end:g}"])
+        again = support.execute(folder, options=[])
+        self.assertEqual(again.code, 1)
+        self.assertIn("-resume goes on from its last checkpoint", again.err)
+        self.run_case(folder, options=["-overwrite"])
+        self.assertEqual([name for name in os.listdir(folder) if name.startswith("checkpoints")], ["checkpoints"])
+
+    def test_none_where_none_are_wanted(self):
+        folder = self.scene(checkpoint="wallInterval 0;")
+        done = self.run_case(folder)
+        self.assertIn("checkpoints  none but asked for", done.out)
+        self.assertEqual(checkpoints(folder), [])
+
+    def test_by_the_wall_clock(self):
+        folder = self.scene(end=FOR_EVER, checkpoint="wallInterval 0.2;")
+        program = self.started(folder)
+        self.wait_for(lambda: len(checkpoints(folder)) == 2, program)
+        self.assertEqual(self.stopped(program)[0], 128 + signal.SIGUSR2)
+        self.goes_on(folder)
+
+    def test_asked_by_a_signal(self):
+        """Of mpirun, which hands SIGUSR1 on to all; the run goes on."""
+        for ranks in (1, 2):
+            with self.subTest(ranks=ranks):
+                folder = self.scene("CGHS", ranks, FOR_EVER, "wallInterval 0;")
+                program = self.started(folder, ranks)
+                program.send_signal(signal.SIGUSR1)
+                self.wait_for(lambda: len(checkpoints(folder)) == 1, program)  # noqa: B023
+                code, out, err = self.stopped(program)
+                self.assertEqual(code, 128 + signal.SIGUSR2, out + err)
+                self.assertEqual(len(checkpoints(folder)), 1)  # no other at the end
+                self.assertIn("The run can go on from checkpoints/", out)
+                self.goes_on(folder, ranks)
+
+    def test_signals_that_end_leave_one(self):
+        for number, ranks in ((signal.SIGINT, 1), (signal.SIGTERM, 1), (signal.SIGUSR2, 2)):
+            with self.subTest(signal=number):
+                folder = self.scene("TDHS", ranks, FOR_EVER)
+                code, out, err = self.stopped(self.started(folder, ranks), number)
+                self.assertEqual(code, 128 + number, out + err)
+                self.assertEqual(len(checkpoints(folder)), 1)
+                self.goes_on(folder, ranks)
+
+    def test_before_the_limit_of_wall_time(self):
+        for ranks in (1, 2):
+            with self.subTest(ranks=ranks):
+                folder = self.scene("CGHS", ranks, FOR_EVER)
+                done = support.execute(folder, ranks, options=["-wallLimit", "3"])
+                self.assertEqual(done.code, WALL_LIMIT, done.text)
+                self.assertIn("Stopped by its limit of wall-clock time", done.out)
+                self.assertEqual(len(checkpoints(folder)), 1)
+                self.goes_on(folder, ranks)
+        refused = support.execute(self.scene("DEM"), options=["-wallLimit", "-1"])
+        self.assertEqual(refused.code, 1)
+        self.assertIn("give the seconds that the run may take, above 0", refused.err)
+
+    def test_one_that_is_asked_for_changes_nothing(self):
+        """To the last bit: looking at a run does not disturb it."""
+        for method, ranks in (("DEM", 1), ("CGPM", 2), ("TDHS", 2), ("MPPIC", 1)):
+            with self.subTest(method=method, ranks=ranks):
+                plain = self.scene(method, ranks)
+                asked = self.copied(plain, f"asked-{method}")
+                support.write(os.path.join(asked, "checkpoint"), "")  # as `touch checkpoint`
+                for folder in (plain, asked):
+                    self.run_case(folder, ranks)
+                self.assertEqual(checkpoints(asked), [f"{vessel.GAS_STEP:g}", f"{self.end:g}"])
+                for pair in zip(*(states(os.path.join(folder, "checkpoints", f"{self.end:g}"), ranks) for folder in (plain, asked))):
+                    expected, found = map(parts, pair)
+                    self.assertEqual([name for name in expected if expected[name] != found[name]], [])
+
+    def test_an_error_says_how_it_goes_on(self):
+        """Before its cause, which stays the last thing on the screen."""
+        folder = self.scene("TDHS", checkpoint="interval 0.005;")
+        script = os.path.join(folder, "dem/in.liggghts")
+        failing = os.path.join(support.BUILD, "tests", "plugins")
+        support.write(script, support.read(script) + "fix broken all test/fail all -1 15\n")
+        self.edit(folder, "system/couplingDict", r"plugins     \(hard_sphere mp_pic\)", "plugins (hard_sphere mp_pic fail)")
+        done = support.execute(folder, INTERPHASE_PLUGIN_PATH=failing + os.pathsep + os.path.join(support.BUILD, "plugins"))
+        self.assertNotEqual(done.code, 0)
+        self.assertIn("The run can go on from checkpoints/0.0", done.err)
+        self.assertLess(done.err.index("The run can go on"), done.err.index("interphase: error"))
+
+    def test_tools_run_with_a_limit(self):
+        case, folder = self.bed("TDHS"), os.path.join(self.root, "run")
+        for key, value in (("width", vessel.WIDTH), ("depth", vessel.DEPTH), ("height", vessel.HEIGHT),
+                           ("diameter", vessel.DIAMETER), ("weight", 1)):  # fmt: skip
+            self.edit(case, "parameters", rf"^{key} .*$", f"{key} {value};")
+        self.edit(case, "parameters", r"^method .*$", "method TDHS;")
+
+        def tools_run(*words):
+            command = [os.path.join(support.TOOLS, "run"), case, "--out", folder, "--no-picture", *words]
+            return subprocess.run(
+                command, env=support.environment(INTERPHASE_BIN=support.PROGRAM), capture_output=True, text=True, timeout=200
+            )
+
+        first = tools_run("--until", str(FOR_EVER), "--wall-limit", "3")
+        self.assertEqual(first.returncode, WALL_LIMIT, first.stdout + first.stderr)
+        self.assertIn(f"--out {folder} --resume", first.stderr)
+        newest = float(checkpoints(folder)[-1])
+        more = tools_run("--resume", "--until", str(newest + 2 * vessel.GAS_STEP))
+        self.assertEqual(more.returncode, 0, more.stdout + more.stderr)
+        self.assertEqual(tools_run("--wall-limit", "0").returncode, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
