@@ -107,6 +107,10 @@ class ResumedRun(ResumedScene):
                 for name, column in expected.get(table, {}).items():
                     self.assertEqual(column[:].tobytes(), found[table][name][:].tobytes(), f"{table}/{name}")
 
+
+class ResumedMethods(ResumedRun):
+    """All of them."""
+
     def test_dem(self):
         self.check("DEM")
 

@@ -143,7 +143,7 @@ class Checkpoints(ResumedScene, support.ProgramTest):
         folder = self.scene("TDHS", checkpoint="interval 0.005;")
         script = os.path.join(folder, "dem/in.liggghts")
         failing = os.path.join(support.BUILD, "tests", "plugins")
-        support.write(script, support.read(script) + "fix broken all test/fail all -1 15\n")
+        support.write(script, support.read(script) + "fix broken all test/fail all -1 60\n")
         self.edit(folder, "system/couplingDict", r"plugins     \(hard_sphere mp_pic\)", "plugins (hard_sphere mp_pic fail)")
         done = support.execute(folder, INTERPHASE_PLUGIN_PATH=failing + os.pathsep + os.path.join(support.BUILD, "plugins"))
         self.assertNotEqual(done.code, 0)

@@ -39,6 +39,8 @@ class Launching(support.ProgramTest):
         self.tools = os.path.join(self.root, "bin")
         support.write(os.path.join(self.tools, "srun"), SRUN)
         os.chmod(os.path.join(self.tools, "srun"), 0o755)
+        support.write(os.path.join(self.tools, "scontrol"), '#!/bin/bash\necho "scontrol $*" >> "$CALLED"\n')
+        os.chmod(os.path.join(self.tools, "scontrol"), 0o755)
         self.called = os.path.join(self.root, "called")
 
     def case(self, end=0.002):
@@ -50,7 +52,7 @@ class Launching(support.ProgramTest):
         """The page's script on two ranks, running."""
         script = os.path.join(self.root, "script.sh")
         support.write(script, re.search(r"```bash\n(.*?)```", PAGE, re.S).group(1))
-        variables = support.environment(PATH=self.tools + os.pathsep + os.environ["PATH"], SLURM_NTASKS="2", CALLED=self.called,
+        variables = support.environment(PATH=self.tools + os.pathsep + os.environ["PATH"], SLURM_NTASKS="2", SLURM_JOB_ID="17", CALLED=self.called,
                                         PROGRAM=support.PROGRAM, CASE=folder, WM_PROJECT_DIR=None, **changes)  # fmt: skip
         return subprocess.Popen(["bash", script], env=variables, cwd="/", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                 stderr=subprocess.PIPE, text=True, start_new_session=True)  # fmt: skip
@@ -72,7 +74,7 @@ class Launching(support.ProgramTest):
         self.assertTrue(err.rstrip("\n").split("\n")[-1].startswith("  remedy: "), err)
 
     def test_batch_script_at_its_limit(self):
-        """SIGTERM to the script reaches the ranks, and their end the script."""
+        """SIGTERM to the script reaches the ranks, and their end the script, which is queued again and goes on."""
         folder = self.case(end=1000)
         # a fast machine lets the sphere fall out of the box before the signal comes
         self.edit(folder, "system/couplingDict", "^method DEM;", "method DEM; outsideMesh ignore;")
@@ -86,6 +88,15 @@ class Launching(support.ProgramTest):
         self.assertEqual(job.returncode, 128 + signal.SIGTERM, out + err)
         left = subprocess.run(["pgrep", "-f", folder], capture_output=True, text=True).stdout
         self.assertEqual(left, "")
+        self.assertIn("scontrol requeue 17\n", support.read(self.called))
+
+        (reached,) = os.listdir(os.path.join(folder, "checkpoints"))
+        self.set_entry(folder, "system/controlDict", "endTime", float(reached) + 0.001)
+        again = self.batch(folder)
+        out, err = again.communicate(timeout=60)
+        self.assertEqual(again.returncode, 0, out + err)
+        self.assertIn(f"the run goes on from checkpoints/{reached}", err)
+        self.assertNotIn("requeue", support.read(self.called))
 
     def mpirun(self, *options, **changes):
         done = subprocess.run(["mpirun", *options, support.PROGRAM, "-parallel", "-case", self.case()], capture_output=True, text=True,

@@ -18,11 +18,11 @@ sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 import support  # noqa: E402
 import test_populations  # noqa: E402
 import vessel  # noqa: E402
-from resumed_run import ResumedRun  # noqa: E402
+from resumed_run import ResumedMethods  # noqa: E402
 from vessel import DEPTH, DIAMETER, HEIGHT, WIDTH  # noqa: E402
 
 
-class Resume(ResumedRun, support.ProgramTest):
+class Resume(ResumedMethods, support.ProgramTest):
     stop, end = 0.02, 0.04
 
     def test_second_order_in_time(self):

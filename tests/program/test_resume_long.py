@@ -12,10 +12,10 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 
 import support  # noqa: E402
-from resumed_run import ResumedRun  # noqa: E402
+from resumed_run import ResumedMethods  # noqa: E402
 
 
-class Resume(ResumedRun, support.ProgramTest):
+class Resume(ResumedMethods, support.ProgramTest):
     stop, end = 0.02, 1.02
 
 

@@ -19,23 +19,9 @@ import h5py
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 
 import support  # noqa: E402
+from processes import alive, children  # noqa: E402
 
 KILLS = 10  # of each kind; test_survival_long.py does more
-
-
-def children(parent):
-    """Ids of the programs that `parent` has started."""
-    with open(f"/proc/{parent}/task/{parent}/children", encoding="ascii") as file:
-        return [int(word) for word in file.read().split()]
-
-
-def alive(process):
-    """Whether it runs; one that is dead and not yet asked for by its parent does not."""
-    try:
-        with open(f"/proc/{process}/stat", encoding="ascii", errors="replace") as file:
-            return file.read().rsplit(")", 1)[1].split()[0] not in "ZX"
-    except OSError:
-        return False
 
 
 class Bed(support.ProgramTest):
