@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <random>
 
 #include "records/hdf5_file.hpp"
 #include "records/unwritten.hpp"
@@ -38,6 +39,17 @@ std::string item(const std::string& file, const std::string& name, std::size_t p
     return "<DataItem Format=\"HDF\" " + type + " Dimensions=\"" + shape + "\">" + file + ":/" + name + "</DataItem>";
 }
 
+/// The end of a name that no other run on this machine takes: Open MPI 4.1 has a semaphore for each file that several
+/// ranks open, named by the file without its folder. Runs at once would share it, and all wait for ever for one that a
+/// killed run holds (sharedfp/sm).
+std::string own_ending(const Communicator& comm)
+{
+    const double number = comm.max(comm.is_master() ? static_cast<double>(std::random_device{}()) : 0.0);
+    char ending[32];
+    std::snprintf(ending, sizeof ending, ".part-%08lx", static_cast<unsigned long>(number));
+    return ending;
+}
+
 /// A file is complete under another name before it takes its own.
 void put_in_place(const std::string& part, const std::string& file)
 {
@@ -53,7 +65,7 @@ void remove_snapshots(int first)
     for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
         const std::string name = entry.path().filename().string();
         const std::string ending = name.size() > 6 ? name.substr(6) : "";
-        if (name.find_first_not_of("0123456789") == 6 && (ending == ".h5" || ending == ".h5.part") &&
+        if (name.find_first_not_of("0123456789") == 6 && (ending == ".h5" || ending.rfind(".h5.part", 0) == 0) &&
             name >= number_text(first))
             std::filesystem::remove(entry.path(), ignored);
     }
@@ -61,7 +73,8 @@ void remove_snapshots(int first)
 
 }  // namespace
 
-ParticleSnapshots::ParticleSnapshots(const Communicator& comm, std::optional<double> goes_on_from) : comm_(comm)
+ParticleSnapshots::ParticleSnapshots(const Communicator& comm, std::optional<double> goes_on_from)
+    : comm_(comm), part_(own_ending(comm))
 {
     const bool goes_on = goes_on_from && std::filesystem::exists(index_file);
     if (comm_.is_master()) {
@@ -124,7 +137,7 @@ void ParticleSnapshots::write(double time, const ParticleRows& rows)
         all += static_cast<std::size_t>(counts[static_cast<std::size_t>(rank)]);
     }
 
-    const std::string name = file_of(count_), part = name + ".part";
+    const std::string name = file_of(count_), part = name + part_;
     {
         Hdf5File file = Hdf5File::create(part, comm_);
         file.set_attribute("/", "time", time);

@@ -42,6 +42,7 @@ private:
     void write_xdmf(int number, std::size_t particles, double time, bool with_weights);
 
     Communicator comm_;
+    const std::string part_;         ///< ending of a file's name until it is complete
     std::optional<TwinFile> index_;  ///< on rank 0
     int count_ = 0;
     std::optional<double> last_;

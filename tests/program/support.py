@@ -116,6 +116,18 @@ def parameters(folder):
     return found
 
 
+def fill_disk(folder, free=0):
+    """A file that leaves `free` bytes of the disk, about; returns its path."""
+    path = os.path.join(folder, "filler")
+    with open(path, "wb", buffering=0) as filler:
+        try:
+            while True:
+                filler.write(bytes(4096))
+        except OSError:
+            filler.truncate(max(0, filler.tell() - free))
+    return path
+
+
 class ProgramTest(unittest.TestCase):
     """Every test has a folder of its own, gone when it ends."""
 
@@ -130,6 +142,16 @@ class ProgramTest(unittest.TestCase):
         folder = tempfile.TemporaryDirectory(prefix="interphase-")
         self.addCleanup(folder.cleanup)
         self.root = folder.name
+
+    def small_disk(self, size):
+        """A folder that is a disk of its own, which mount(8) gives to root only."""
+        folder = os.path.join(self.root, f"disk{len(os.listdir(self.root))}")
+        os.makedirs(folder)
+        mount = ["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", folder]
+        if os.geteuid() != 0 or subprocess.run(mount, capture_output=True).returncode != 0:
+            self.skipTest("no right to mount a small disk")
+        self.addCleanup(subprocess.run, ["umount", "-l", folder], check=True)
+        return folder
 
     @staticmethod
     def prepare(case, folder, ranks=1, **settings):

@@ -6,6 +6,7 @@
 is not changed by one that it was asked for, and says how it goes on."""
 
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -137,6 +138,38 @@ class Checkpoints(ResumedScene, support.ProgramTest):
                 for pair in zip(*(states(os.path.join(folder, "checkpoints", f"{self.end:g}"), ranks) for folder in (plain, asked))):
                     expected, found = map(parts, pair)
                     self.assertEqual([name for name in expected if expected[name] != found[name]], [])
+
+    def test_a_disk_without_room_for_one(self):
+        """The two before stay, and the run goes on from them when there is room again."""
+        for ranks in (1, 2):
+            with self.subTest(ranks=ranks):
+                made = self.scene("TDHS", ranks, FOR_EVER, "interval 0.005;")
+                folder = os.path.join(self.small_disk("16m"), "case")
+                shutil.copytree(made, folder)
+                program = self.started(folder, ranks)
+                self.wait_for(lambda: len(checkpoints(folder)) == 2, program)  # noqa: B023
+                filler = support.fill_disk(folder, free=50000)  # a checkpoint takes 300,000 bytes
+                while "checkpoint of t = " not in (line := program.stderr.readline()):
+                    self.assertTrue(line, "nothing was said of a checkpoint")
+                self.assertIn("could not be written", line)
+                kept = checkpoints(folder)
+                self.assertEqual(len(kept), 2)
+                self.stopped(program)  # the end has room for its fields, or not
+                self.assertTrue(set(kept) & set(checkpoints(folder)))
+                os.remove(filler)
+                self.goes_on(folder, ranks)
+
+    def test_files_that_are_cut_short(self):
+        folder = self.scene("CGHS", 2, checkpoint="interval 0.01;")
+        self.run_case(folder, 2)
+        for file in ("rank1.state", "manifest"):
+            with self.subTest(file=file):
+                newest = os.path.join(folder, "checkpoints", checkpoints(folder)[-1], file)
+                with open(newest, "r+b") as stream:
+                    stream.truncate(os.path.getsize(newest) // 2)
+                done = self.run_case(folder, 2, options=["-resume"])
+                self.assertIn("is no whole checkpoint", done.err)
+                self.assertIn("the run goes on from checkpoints/0.01;", done.err)
 
     def test_an_error_says_how_it_goes_on(self):
         """Before its cause, which stays the last thing on the screen."""

@@ -96,15 +96,8 @@ class Failing(support.ProgramTest):
         self.edit(folder, "system/fvSolution", "solver PCG", "solver PCGG")
         self.ends_with_cause(self.execute(folder, 2), OPENFOAM, "PCGG", own_lines="  |Valid|4|$")
 
-    def small_disk(self, size):
-        """A case on a disk of its own, which mount(8) gives to root only."""
-        folder = os.path.join(self.root, f"disk{len(os.listdir(self.root))}")
-        os.makedirs(folder)
-        mount = ["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", folder]
-        if os.geteuid() != 0 or subprocess.run(mount, capture_output=True).returncode != 0:
-            self.skipTest("no right to mount a small disk")
-        self.addCleanup(subprocess.run, ["umount", "-l", folder], check=True)
-        case = os.path.join(folder, "case")
+    def case_on_small_disk(self):
+        case = os.path.join(self.small_disk("3m"), "case")
         shutil.copytree(self.sound, case)
         self.edit(case, "system/controlDict", r"endTime 0\.02;", "endTime 1000;")
         return case
@@ -113,22 +106,20 @@ class Failing(support.ProgramTest):
         """OpenFOAM says nothing of fields that it could not write."""
         for ranks in (1, 2):
             with self.subTest(ranks=ranks):
-                case = self.small_disk("3m")
+                case = self.case_on_small_disk()
                 self.edit(case, "system/controlDict", "writeInterval 1000000;", "writeInterval 1;")
                 self.ends_with_cause(self.execute(case, ranks), DISK, "disk")
 
     def test_disk_that_another_fills(self):
         """Nothing is due but lines of LIGGGHTS's log and progress; that a file is there still says little."""
-        case = self.small_disk("3m")
+        case = self.case_on_small_disk()
         script = os.path.join(case, "dem/in.liggghts")
         support.write(script, support.read(script) + "thermo 10\n")
         program = support.start(case, 2)
         self.addCleanup(lambda: program.poll() is None and program.kill())
         while "t = 0 " not in (line := program.stdout.readline()):
             self.assertTrue(line, "ended before its first step")
-        with open(os.path.join(case, "filler"), "wb", buffering=0) as filler, self.assertRaises(OSError):
-            while True:
-                filler.write(bytes(4096))
+        support.fill_disk(case)
         out, err = program.communicate(timeout=SECONDS)
         self.ends_with_cause(support.Finished(case, program.returncode, out, err), DISK, "the disk is full", "(remedy: |disk: +)make room")
 
