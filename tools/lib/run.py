@@ -19,6 +19,7 @@ sys.path[0] = TOOLS  # not this folder: its statistics.py is not Python's
 
 from lib import case_folder, earlier_run, ending, foam_file, launch, mesh_choice  # noqa: E402
 from lib.case_folder import CONTROL, COUPLING, PARAMETERS, CaseError  # noqa: E402
+from lib.input_error import InputError  # noqa: E402
 
 REPOSITORY = os.path.dirname(TOOLS)
 MARK = "run.json"  # a folder with this file is a run of ours, and may be replaced on demand
@@ -28,9 +29,15 @@ EXAMPLES = """examples:
   tools/run cases/sscp1 --method DEM --ranks 2 --until 0.5 --set inletVelocity=3.28
   tools/run cases/sscp1 --set system/couplingDict:drag/law=Gidaspow --out runs/gidaspow
   tools/run cases/sscp1 --out runs/gidaspow --resume --until 2
+  tools/run cases/sscp1 --method CGHS --weight 8 --from runs/sscp1-CGPM-w8@0.7 --set inletVelocity=3.28
 
 --set names an entry of the case's file `parameters`, or FILE:ENTRY of any other file in OpenFOAM syntax, nested
 by '/'. Entries are replaced, never added: what a case does not mention, add to its file first.
+
+--from takes the particles of another run of the same weight, at the time of one of its snapshots, in place of those in the file that the
+case's script reads (`read_data`), and its gas where fields were written then: the same mesh takes the values of the cells, another mesh of the
+same vessel takes them interpolated. Inlets, walls and all other settings are the case's; the clock begins at 0. Springs of contacts, remembered
+impulses and the gas's earlier steps are not taken: --resume is for runs that go on as they were.
 
 The mesh is the case's constant/polyMesh where there is one, as it is; else blockMesh makes it of system/blockMeshDict or
 constant/polyMesh/blockMeshDict. Which, is told.
@@ -77,6 +84,9 @@ def arguments():
         "--wall-limit", metavar="S", dest="wall_limit",
         help="end, with a checkpoint from which --resume goes on, before the run has taken S seconds of wall time",
     )
+    parser.add_argument(
+        "--from", metavar="RUN[@T]", dest="start", help="start with the bed and gas that the run in the folder RUN had at T s (default: its last snapshot)"
+    )
     parser.add_argument("--no-picture", action="store_true", help="draw no bed.png")
     parser.add_argument("--quiet", action="store_true", help="print errors only; the program's output is in its log")
     given = parser.parse_args()
@@ -86,7 +96,7 @@ def arguments():
         raise CaseError(f"--ranks {given.ranks}: at least one rank is needed")
     if given.wall_limit is not None and not is_time(given.wall_limit):
         raise CaseError(f"--wall-limit {given.wall_limit}: give the seconds that the run may take, above 0")
-    for option, there in (("--overwrite", given.overwrite), ("--set", given.settings)):
+    for option, there in (("--overwrite", given.overwrite), ("--set", given.settings), ("--from", given.start)):
         if given.resume and there:
             raise CaseError(f"--resume and {option}: a run goes on as it is; leave one of them away")
     return given
@@ -190,8 +200,22 @@ def program(quiet):
     return built
 
 
-def prepare(case, folder, ranks, environment, say):
-    """Bring the copied case to where the program can start: scene, mesh, pieces for the ranks."""
+def start_of(given, case, name, weight, folder):
+    """The run and time that --from names, checked against the case; None without it."""
+    if given.start is None:
+        return None
+    try:
+        from lib import starting_point
+    except ImportError as missing:
+        raise CaseError(f"--from: {missing}; it is needed to read records: tools/setup installs it (python3-h5py, python3-numpy)") from None
+    return starting_point.checked(given.start, case, name, weight, folder)
+
+
+def prepare(case, folder, ranks, environment, say, begin=None):
+    """Bring the copied case to where the program can start: scene, mesh, pieces for the ranks.
+
+    `begin(gas)` is called before the pieces are cut.
+    """
     gas = case.value(COUPLING, "gas/model", "pimple")
 
     def step(*command):
@@ -207,6 +231,8 @@ def prepare(case, folder, ranks, environment, say):
         say(told)
         if mesher:
             step(mesher, "-case", folder)
+    if begin is not None:
+        begin(gas)
     if ranks > 1:
         if gas != "none":
             step("decomposePar", "-case", folder, "-force")
@@ -266,6 +292,7 @@ def main():
     if earlier is None:
         given.ranks = given.ranks or 1
         check_folder(folder, case_path, given.overwrite)
+    start = start_of(given, case, name, weight, folder)
     given.ranks = given.ranks or earlier["ranks"]
     if given.ranks > 1:
         case_folder.set_number_of_subdomains(case, given.ranks)
@@ -293,7 +320,13 @@ def main():
     case_folder.copy(case_path, folder)
     case.write_into(folder)
     say(f"{name}, {method}, weight {weight:g}, {given.ranks} rank{'s' * (given.ranks > 1)}, in {folder}")
-    gas = prepare(case, folder, given.ranks, environment, say)
+
+    def begin(gas):
+        from lib import starting_point
+        record["from"] = starting_point.put(start, folder, name, gas, environment, say)
+        write_record(folder, record)
+
+    gas = prepare(case, folder, given.ranks, environment, say, begin if start else None)
 
     log = os.path.join(folder, "log.interphase")
     return run(given, name, folder, gas, command, record, log, variables, environment, say)
@@ -330,7 +363,7 @@ def write_record(folder, record):
 if __name__ == "__main__":
     try:
         sys.exit(main())
-    except (CaseError, foam_file.FoamFileError) as refused:
+    except (CaseError, InputError, foam_file.FoamFileError) as refused:
         print(f"tools/run: error: {refused}", file=sys.stderr)
         sys.exit(2)
     except launch.StepFailed as failed:

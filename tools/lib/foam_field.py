@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Lists of numbers in OpenFOAM's files: values of a field, points of a mesh; ASCII or binary, packed by gzip or not."""
+
+import gzip
+import os
+import re
+import zlib
+
+import numpy
+
+from lib.input_error import InputError
+
+COMPONENTS = {"scalar": 1, "vector": 3, "sphericalTensor": 1, "symmTensor": 6, "tensor": 9}
+
+
+def path_of(folder, name):
+    """The path of a file that may be packed; None where it is not there."""
+    return next((path for path in (os.path.join(folder, name), os.path.join(folder, name + ".gz")) if os.path.isfile(path)), None)
+
+
+def content(path):
+    """Its bytes, unpacked."""
+    try:
+        with gzip.open(path) if path.endswith(".gz") else open(path, "rb") as stream:
+            return stream.read()
+    except (OSError, EOFError, zlib.error) as error:
+        raise InputError(f"{path}: cannot be read: {error}") from None
+
+
+def header(data, key):
+    """The value of `key` in FoamFile, None where there is none."""
+    found = re.search(rb"FoamFile\s*\{(.*?)\}", data, re.DOTALL)
+    value = found and re.search(rb"\b" + key.encode() + rb"\s+(\"[^\"]*\"|[^;]+);", found[1])
+    return value[1].decode().strip().strip('"') if value else None
+
+
+def body(data):
+    """What follows on FoamFile { ... }."""
+    found = re.search(rb"FoamFile\s*\{.*?\}", data, re.DOTALL)
+    return data[found.end():] if found else data
+
+
+def internal_values(path):
+    """internalField as text for an ASCII file, every digit kept: `uniform V`, or `nonuniform List<T> ...`."""
+    data = content(path)
+    uniform = re.search(rb"\binternalField\s+(uniform\s+[^;$]+);", data)
+    if uniform:
+        return uniform[1].decode()
+    found = re.search(rb"\binternalField\s+nonuniform\s+List<(\w+)>\s*(\d+)\s*([({])", data)
+    if found is None or found[1].decode() not in COMPONENTS:
+        raise InputError(f"{path}: no internalField with values of cells or faces")
+    kind, count = found[1].decode(), int(found[2])
+    values = _numbers(path, data, found.end(), count, COMPONENTS[kind], found[3] == b"{")
+    rows = (repr(v[0]) for v in values.tolist()) if COMPONENTS[kind] == 1 else ("(" + " ".join(map(repr, v)) + ")" for v in values.tolist())
+    return f"nonuniform List<{kind}>\n{count}\n(\n" + "\n".join(rows) + "\n)"
+
+
+def points(folder):
+    """Of the mesh in the case `folder` [n, 3], m; None where there are none."""
+    path = path_of(os.path.join(folder, "constant/polyMesh"), "points")
+    if path is None:
+        return None
+    data = content(path)
+    start = body(data)
+    found = re.search(rb"(?:^|\n)\s*(\d+)\s*\(", start)
+    if found is None:
+        raise InputError(f"{path}: no list of points")
+    return _numbers(path, data, len(data) - len(start) + found.end(), int(found[1]), 3, False)
+
+
+def _numbers(path, data, at, count, components, repeated):
+    """[count, components] from the place behind the opening bracket on. InputError where some are missing."""
+    if header(data, "format") == "binary":
+        kind = "<f4" if "scalar=32" in (header(data, "arch") or "") else "<f8"
+        if "MSB" in (header(data, "arch") or ""):
+            kind = kind.replace("<", ">")
+        size = count * components * numpy.dtype(kind).itemsize
+        if len(data) < at + size + 1 or data[at + size : at + size + 1] != b")":
+            raise InputError(f"{path}: its {count} values are not all there: the file is torn; take another time")
+        return numpy.frombuffer(data, kind, count * components, at).astype(float).reshape(count, components)
+    end = re.compile(rb"\}" if repeated else rb"\)\s*(?:;|$|\n\s*//)").search(data, at)
+    words = data[at : end.start() if end else at].replace(b"(", b" ").replace(b")", b" ").split()
+    try:
+        values = numpy.array(words, dtype=float)
+    except ValueError:
+        values = numpy.zeros(0)
+    if repeated and len(values) == components:
+        values = numpy.tile(values, count)
+    if len(values) != count * components:
+        raise InputError(f"{path}: its {count} values are not all there: the file is torn; take another time")
+    return values.reshape(count, components)
