@@ -200,7 +200,7 @@ def program(quiet):
     return built
 
 
-def start_of(given, case, name, weight, folder):
+def start_of(given, case, name, method, weight, folder):
     """The run and time that --from names, checked against the case; None without it."""
     if given.start is None:
         return None
@@ -208,7 +208,7 @@ def start_of(given, case, name, weight, folder):
         from lib import starting_point
     except ImportError as missing:
         raise CaseError(f"--from: {missing}; it is needed to read records: tools/setup installs it (python3-h5py, python3-numpy)") from None
-    return starting_point.checked(given.start, case, name, weight, folder)
+    return starting_point.checked(given.start, case, name, method, weight, folder)
 
 
 def prepare(case, folder, ranks, environment, say, begin=None):
@@ -292,7 +292,7 @@ def main():
     if earlier is None:
         given.ranks = given.ranks or 1
         check_folder(folder, case_path, given.overwrite)
-    start = start_of(given, case, name, weight, folder)
+    start = start_of(given, case, name, method, weight, folder)
     given.ranks = given.ranks or earlier["ranks"]
     if given.ranks > 1:
         case_folder.set_number_of_subdomains(case, given.ranks)

@@ -16,6 +16,10 @@ from lib.foam_file import FoamFileError
 from lib.input_error import InputError
 from lib.particle_script import particle_source
 
+OF_SPRINGS = ("DEM", "CGPM")
+# Of a radius. Springs are chosen for overlaps of some 2 % (a diameter's hundredth): at ten times that they hold a hundred times the
+# energy of the fastest contact they are for. The program tells of overlaps from 5 % on.
+DEEPEST = 0.2
 ROUND_OFF = 1e-9  # relative, of diameters and densities that went through texts and halves
 CONVENTION = "the particles of a run go into the one file that the script reads by `read_data FILE`, and stay as they are there"
 
@@ -41,6 +45,22 @@ def check_weight(start, weight, name):
     if own is None and start.weight != weight:
         raise CaseError(f"--from: spheres of {start.folder} stand for {start.weight:g} particles each, and {name} has weight {weight:g}; "
                         f"parcels can neither be split nor joined: give {_with(start.weight)}, or start from a run of weight {weight:g}")
+
+
+def check_springs(start, method):
+    """CaseError where springs would begin with overlaps far deeper than they are made for."""
+    if method not in OF_SPRINGS or start.method in OF_SPRINGS:
+        return
+    from lib import bed_statistics  # scipy
+
+    depths = 2 * bed_statistics.overlaps(start.particles.quantities["position"], start.particles.quantities["diameter"])
+    deep = depths > DEEPEST
+    if deep.any():
+        parcels = start.weight != 1
+        raise CaseError(
+            f"--from: {deep.sum()} pairs of {start.where} overlap by more than {100 * DEEPEST:g} % of a radius, the deepest by {100 * depths.max():.3g} %: "
+            f"the springs of {method} would burst the bed apart. Let hard spheres part them first: tools/run ... --method "
+            f"{'CGHS' if parcels else 'TDHS'} --from {start.folder}@{start.time:.9g} for some tenths of a second, then --from that run")
 
 
 def _with(weight):

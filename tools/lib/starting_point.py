@@ -9,8 +9,8 @@ from lib.case_folder import CONTROL, COUPLING, CaseError, Dictionaries
 from lib.particle_script import particle_source
 
 
-def checked(text, case, name, weight, folder):
-    """The `StartingRun` that RUN[@time] names, for `case` (Dictionaries) with `weight`, to run in `folder`.
+def checked(text, case, name, method, weight, folder):
+    """The `StartingRun` that RUN[@time] names, for `case` (Dictionaries) with `method` and `weight`, to run in `folder`.
 
     InputError or CaseError for what can be seen before the case is prepared.
     """
@@ -19,6 +19,7 @@ def checked(text, case, name, weight, folder):
     if os.path.commonpath(inside) in inside:
         raise CaseError(f"--from: {start.folder} and the new run's folder {folder} must lie apart; give another one by --out DIR")
     starting_particles.check_weight(start, weight, name)
+    starting_particles.check_springs(start, method)
     source = particle_source(case, missing=[])
     if source.file or source.others:
         starting_particles.check_script(source, name)

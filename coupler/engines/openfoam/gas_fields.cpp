@@ -80,6 +80,14 @@ GasFields::GasFields(fvMesh& mesh)
     if (p_rgh_.dimensions() != dimPressure)
         throw UserError("p_rgh has other dimensions than a pressure", std::string(p_rgh_.objectPath()),
                         "give it in Pa: dimensions [1 -1 -2 0 0 0 0]");
+
+    // A flux that was read may be of a run with another inlet
+    forAll(phi_.boundaryField(), patch)
+    {
+        if (U_.boundaryField()[patch].fixesValue())
+            phi_.boundaryFieldRef()[patch] == (U_.boundaryField()[patch] & mesh.boundary()[patch].Sf());
+    }
+    superficial_phi_ = fvc::interpolate(voidage_) * phi_;
 }
 
 void GasFields::set_voidage(const Scalars& voidage)

@@ -61,6 +61,8 @@ struct Scene {
     std::string functions;        ///< function objects: what stands in `functions { ... }` of controlDict
     VectorField velocity = [](const Vector&) { return Vector(0, 0, 0); };  ///< at the start [m/s]
 
+    std::string flux;  ///< what stands in 0/phi, as a run leaves it; none where empty
+
     /// Writes another mesh than the box into the folder polyMesh; the gas is at rest then.
     std::function<void(const std::string&)> write_mesh;
     std::string pair_type = "cyclic";  ///< of its patches that are called cyclic*
@@ -296,6 +298,7 @@ private:
         write("0/p_rgh", "volScalarField",
               "dimensions [1 -1 -2 0 0 0 0]; internalField uniform 0; boundaryField { " + conditions(&Sides::pressure) +
                   "}");
+        if (!scene_.flux.empty()) write("0/phi", "surfaceScalarField", "dimensions [0 3 -1 0 0 0 0]; " + scene_.flux);
     }
 
     void write(const std::string& file, const std::string& type, const std::string& content) const

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A small bed of cases/sscp1 that tools/run prepares and runs, also with the bed of another run."""
+
+import json
+import os
+import shutil
+import subprocess
+
+import h5py
+import numpy
+import support
+
+WIDTH, DEPTH, HEIGHT = 0.0384, 0.0192, 0.096  # [m]
+DIAMETER, DENSITY = 2e-3, 1131.0
+COUNT = 1600  # real particles
+CELLS = "(8 4 16)"
+SETTINGS = {"width": WIDTH, "depth": DEPTH, "height": HEIGHT, "diameter": DIAMETER, "particleCount": COUNT, "initialPacking": 0.35, "inletVelocity": 0.4,
+            "system/controlDict:writeInterval": 0.02, "system/controlDict:deltaT": 1e-3}
+
+
+def case(root, name="bed", cells=CELLS):
+    """sscp1 in a smaller vessel, with fewer cells, more snapshots and taps that lie in it."""
+    folder = os.path.join(root, name)
+    shutil.copytree(os.path.join(support.SOURCE, "cases", "sscp1"), folder, ignore=shutil.ignore_patterns("*.png", "README.md"))
+    edit = support.ProgramTest.edit
+    edit(folder, "system/blockMeshDict", r"\(16 4 85\)", cells)
+    low, high = (f"({WIDTH / 2} {DEPTH / 2} {z})" for z in (0.003, 0.093))
+    edit(folder, "system/couplingDict", r"^    pressureTaps .*$", f"    pressureTaps ({low} {high});")
+    edit(folder, "system/couplingDict", r"interval            0.05;", "interval 1e-3;")
+    edit(folder, "system/couplingDict", r"snapshotInterval    0.05;", "snapshotInterval 0.01;")
+    return folder
+
+
+def run(folder, out, *words, program=None, **changes):
+    """tools/run with the small bed's numbers but for `changes`; words of its command line follow. A CompletedProcess."""
+    command = [os.path.join(support.TOOLS, "run"), folder, "--out", out, "--no-picture", *words]
+    for key, value in {**SETTINGS, **changes}.items():
+        command += ["--set", f"{key}={value}"]
+    return subprocess.run(
+        command, env=support.environment(INTERPHASE_BIN=program or support.PROGRAM), stdin=subprocess.DEVNULL, capture_output=True,
+        text=True, timeout=support.LONGEST)
+
+
+def snapshots(out):
+    """[(time, {name: rows by id})]."""
+    found = []
+    with h5py.File(os.path.join(out, "particles.h5"), "r") as file:
+        for group in file["snapshots"].values():
+            order = numpy.argsort(group["id"][()])
+            found.append((float(group.attrs["time"]), {name: group[name][()][order] for name in group}))
+    return found
+
+
+def series(out, name):
+    with h5py.File(os.path.join(out, "results.h5"), "r") as file:
+        return file["series"][name][()]
+
+
+def record(out):
+    with open(os.path.join(out, "run.json"), encoding="utf-8") as stream:
+        return json.load(stream)
