@@ -87,23 +87,29 @@ TEST(ThroughFlow, IsSecondOrderInTheMesh)
     EXPECT_LT(of_pressure.back(), 2e-5);
 }
 
-/// A gas that starts from a run with half of the inlet velocity: its flux through the inlet is that run's.
-TEST(ThroughFlow, TakesTheInletsFluxFromItsVelocityNotFromTheFluxThatIsRead)
+/// Velocities after a step of a uniform flow of 0.5 m/s into which 1 m/s enters; `flux`: what 0/phi says.
+Scalars after_a_faster_inlet(const std::string& flux)
 {
     Scene scene;
     scene.cells = {20, 1, 1};
     scene.sides[0] = through_flow("(1 0 0)");
-    scene.velocity = [](const Vector&) { return Vector(1, 0, 0); };
+    scene.velocity = [](const Vector&) { return Vector(0.5, 0, 0); };
     scene.gas_step = 0.02;
-    const std::string calculated = " { type calculated; value uniform ";
-    scene.flux = "internalField uniform 1; boundaryField { xLow" + calculated + "-0.5; } xHigh" + calculated +
-                 "1; } \"[yz].*\" { type empty; value nonuniform List<scalar> 0(); } }";
-
+    scene.flux = flux;
     GasCase gas(scene);
-    const Scalars full(gas.cells(), 1.0), none(gas.cells(), 0.0), no_source(3 * gas.cells(), 0.0);
-    gas.step(full, none, no_source);
-    for (std::size_t c = 0; c < gas.cells(); ++c)
-        EXPECT_NEAR(gas.velocity(c).x(), 1, 1e-9) << c;  // the tolerance of the pressure; uniform flow stays
+    gas.step(Scalars(gas.cells(), 1.0), Scalars(gas.cells(), 0.0), Scalars(3 * gas.cells(), 0.0));
+    return gas.velocities();
+}
+
+/// Of a gas that starts from a run with half of the inlet velocity: 0/phi is that run's, the velocity at the inlet is
+/// not.
+TEST(ThroughFlow, TakesTheInletsFluxFromItsVelocityNotFromTheFluxThatIsRead)
+{
+    const std::string read =
+        "internalField uniform 0.5; boundaryField { xLow { type calculated; value uniform -0.5; } "
+        "xHigh { type calculated; value uniform 0.5; } "
+        "\"[yz].*\" { type empty; value nonuniform List<scalar> 0(); } }";
+    EXPECT_EQ(after_a_faster_inlet(read), after_a_faster_inlet(""));
 }
 
 }  // namespace
