@@ -31,14 +31,18 @@ def case(root, name="bed", cells=CELLS):
     return folder
 
 
-def run(folder, out, *words, program=None, **changes):
-    """tools/run with the small bed's numbers but for `changes`; words of its command line follow. A CompletedProcess."""
-    command = [os.path.join(support.TOOLS, "run"), folder, "--out", out, "--no-picture", *words]
-    for key, value in {**SETTINGS, **changes}.items():
-        command += ["--set", f"{key}={value}"]
+def plain(folder, out, *words, program=None):
+    """tools/run with words of its command line: a CompletedProcess."""
     return subprocess.run(
-        command, env=support.environment(INTERPHASE_BIN=program or support.PROGRAM), stdin=subprocess.DEVNULL, capture_output=True,
-        text=True, timeout=support.LONGEST)
+        [os.path.join(support.TOOLS, "run"), folder, "--out", out, "--no-picture", *words],
+        env=support.environment(INTERPHASE_BIN=program or support.PROGRAM), stdin=subprocess.DEVNULL, capture_output=True, text=True,
+        timeout=support.LONGEST)
+
+
+def run(folder, out, *words, program=None, **changes):
+    """The same with the small bed's numbers but for `changes`."""
+    settings = [word for key, value in {**SETTINGS, **changes}.items() for word in ("--set", f"{key}={value}")]
+    return plain(folder, out, *words, *settings, program=program)
 
 
 def snapshots(out):
