@@ -7,6 +7,7 @@ time under the new case's boundaries, and what does not fit is refused with the 
 
 import os
 import shutil
+import subprocess
 import unittest
 
 import numpy
@@ -108,6 +109,11 @@ class TestOtherMethods(StartingRuns):
         self.assertAlmostEqual(told["time"], 0.1, delta=1e-9)
         self.assertEqual(len(told["results_sha256"]), 64)
         self.assertIn("U, p_rgh, phi", told["gas"])
+        scene = os.path.join(self.root, "scene")
+        support.write(scene, "overlaps { shares (0.01); percentiles (50); }\n")
+        done = subprocess.run(
+            [os.path.join(support.TOOLS, "report"), new, "--scene", scene, "--no-write"], capture_output=True, text=True, timeout=60)
+        self.assertIn(f"note: new: starts from t = 0.1 s of {self.hard} (TDHS, results.h5 of sha256 {told['results_sha256'][:12]})", done.stdout + done.stderr)
 
     def test_parcels_of_the_same_weight(self):
         for method in ("MPPIC", "CGHS"):

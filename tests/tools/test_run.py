@@ -649,6 +649,7 @@ nested { // { unbalanced in a comment
     deeper { key #calc #{ 1; } #}; key2 $key; }
     "(U|k).*" { tolerance 1e-6; }
     $macro;
+    ${${mode}Ends}
 }
 list ( { key 5; } 3(1 2 3) );
 dimensions [0 1 -1 0 0 0 0];

@@ -11,6 +11,7 @@ Macros are not expanded and included files are not followed.
 """
 
 import difflib
+import re
 from dataclasses import dataclass, field
 
 
@@ -66,6 +67,16 @@ def line_of(text, offset):
     return text.count("\n", 0, offset) + 1
 
 
+def _macro_end(text, start):
+    """The place of the brace that closes the `${` at `start`; names may be made of others: `${${mode}Inlet}`."""
+    depth = 0
+    for brace in re.finditer(r"[{}]", text[start:]):
+        depth += 1 if brace[0] == "{" else -1
+        if depth == 0:
+            return start + brace.start()
+    raise FoamFileError(f"line {line_of(text, start)}: '${{' without '}}'")
+
+
 def _word_end(text, start):
     """Where the word that starts at `start` ends.
 
@@ -78,10 +89,7 @@ def _word_end(text, start):
     while at < len(text):
         char = text[at]
         if char == "$" and text[at + 1 : at + 2] == "{":
-            close = text.find("}", at)
-            if close < 0:
-                raise FoamFileError(f"line {line_of(text, at)}: '${{' without '}}'")
-            at = close
+            at = _macro_end(text, at)
         elif char == "(" and not starts_number:
             open_at.append(at)
         elif char == ")" and open_at:
@@ -196,6 +204,8 @@ class _Reader:
         if key.kind == "punctuation":
             raise FoamFileError(f"{self.where(key)}: '{key.text}' where a key was expected")
         self.at += 1
+        if key.text.startswith("$"):  # takes in a dictionary; OpenFOAM wants no semicolon behind it
+            return Entry(key.text, key.end, key.end, "")
         if self.at < len(self.tokens) and self.tokens[self.at].text == "{":
             opening = self.tokens[self.at]
             self.at += 1

@@ -85,7 +85,8 @@ def arguments():
         help="end, with a checkpoint from which --resume goes on, before the run has taken S seconds of wall time",
     )
     parser.add_argument(
-        "--from", metavar="RUN[@T]", dest="start", help="start with the bed and gas that the run in the folder RUN had at T s (default: its last snapshot)"
+        "--from", metavar="RUN[@T]", dest="start",
+        help="start with the bed and gas that the run in the folder RUN had at T s (default: its last snapshot)",
     )
     parser.add_argument("--no-picture", action="store_true", help="draw no bed.png")
     parser.add_argument("--quiet", action="store_true", help="print errors only; the program's output is in its log")

@@ -58,7 +58,8 @@ def check_springs(start, method):
     if deep.any():
         parcels = start.weight != 1
         raise CaseError(
-            f"--from: {deep.sum()} pairs of {start.where} overlap by more than {100 * DEEPEST:g} % of a radius, the deepest by {100 * depths.max():.3g} %: "
+            f"--from: {deep.sum()} pairs of {start.where} overlap by more than {100 * DEEPEST:g} % of a radius, the deepest by "
+            f"{100 * depths.max():.3g} %: "
             f"the springs of {method} would burst the bed apart. Let hard spheres part them first: tools/run ... --method "
             f"{'CGHS' if parcels else 'TDHS'} --from {start.folder}@{start.time:.9g} for some tenths of a second, then --from that run")
 
