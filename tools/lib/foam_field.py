@@ -40,17 +40,18 @@ def body(data):
     return data[found.end():] if found else data
 
 
-def internal_values(path):
-    """internalField as text for an ASCII file, every digit kept: `uniform V`, or `nonuniform List<T> ...`."""
+def internal_values(path, more=0.0):
+    """internalField, `more` added to each number, as text for an ASCII file, every digit kept: `uniform V`, or `nonuniform List<T> ...`."""
     data = content(path)
     uniform = re.search(rb"\binternalField\s+(uniform\s+[^;$]+);", data)
     if uniform:
-        return uniform[1].decode()
+        text = uniform[1].decode()
+        return text if more == 0 else f"uniform {float(text.split()[1]) + more!r}"
     found = re.search(rb"\binternalField\s+nonuniform\s+List<(\w+)>\s*(\d+)\s*([({])", data)
     if found is None or found[1].decode() not in COMPONENTS:
         raise InputError(f"{path}: no internalField with values of cells or faces")
     kind, count = found[1].decode(), int(found[2])
-    values = _numbers(path, data, found.end(), count, COMPONENTS[kind], found[3] == b"{")
+    values = _numbers(path, data, found.end(), count, COMPONENTS[kind], found[3] == b"{") + more
     rows = (repr(v[0]) for v in values.tolist()) if COMPONENTS[kind] == 1 else ("(" + " ".join(map(repr, v)) + ")" for v in values.tolist())
     return f"nonuniform List<{kind}>\n{count}\n(\n" + "\n".join(rows) + "\n)"
 

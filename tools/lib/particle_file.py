@@ -56,9 +56,10 @@ def _above(path, head, pattern):
 
 def write(path, remark, spheres, position, velocity, spin):
     """The `ParticleFile` `spheres` at `position` [n, 3] in m with `velocity` [n, 3] in m/s and `spin` [n, 3] in rad/s, every digit
-    kept. `remark`: the first line, which LIGGGHTS passes over."""
+    kept. `remark`: for the first line, which LIGGGHTS passes over; it takes what is beyond 255 bytes of it for the second."""
+    first = f"LIGGGHTS data file, atom_style granular, SI units: {remark}".encode("ascii", "replace").decode().replace("\n", " ")[:200]
     with open(path, "w", encoding="utf-8") as out:
-        out.write(f"{remark}\n\n{len(spheres.ids)} atoms\n{spheres.types} atom types\n\n")
+        out.write(f"{first}\n\n{len(spheres.ids)} atoms\n{spheres.types} atom types\n\n")
         for axis, low, high in zip("xyz", spheres.low.tolist(), spheres.high.tolist()):
             out.write(f"{low!r} {high!r} {axis}lo {axis}hi\n")
         out.write("\nAtoms\n\n")

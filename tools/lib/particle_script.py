@@ -60,6 +60,8 @@ def _follow(case, file, variables, found, missing, depth):
                 found.others.append(told)
         elif command in ("create_atoms", "read_restart", "read_dump", "velocity", "displace_atoms", "delete_atoms"):
             found.others.append(told)
+        elif command == "if" and re.search(r"\b(create_atoms|read_\w+|velocity|displace_atoms|delete_atoms|include|insert)\b", " ".join(rest)):
+            found.others.append(told)  # which of them, its text does not tell
         elif command == "set" and OF_A_PARTICLE & set(rest[2:]):
             found.others.append(told)
         elif command == "fix" and len(rest) > 2 and rest[2].startswith("insert/"):

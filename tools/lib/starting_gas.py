@@ -13,13 +13,15 @@ import tempfile
 import numpy
 
 from lib import foam_field, foam_file, launch
-from lib.case_folder import CONTROL, Dictionaries
+from lib.case_folder import CONTROL, PARAMETERS, CaseError, Dictionaries
 from lib.input_error import InputError
 from lib.starting_run import SAME_TIME
 
 MESH = ("points", "faces", "owner", "neighbour")
 START = "0"
-FLUX = "phi"
+FLUX, PRESSURE = "phi", "p_rgh"
+# Boundary conditions that give a pressure, and the entry that does
+GIVES = {"fixedValue": "value", "prghPressure": "p", "totalPressure": "p0", "prghTotalPressure": "p0"}
 
 
 def put(start, folder, environment):
@@ -43,14 +45,16 @@ def put(start, folder, environment):
         names = [name for name in _fields(os.path.join(folder, START)) if foam_field.path_of(source, name)]
         if not same:
             source = _mapped(source, time, start.folder, scratch, folder, environment)
+        more = _pressure_above(start.folder, folder)
         for name in names:
-            _take(foam_field.path_of(source, name), os.path.join(folder, START), name)
+            _take(foam_field.path_of(source, name), os.path.join(folder, START), name, more if name == PRESSURE else 0.0)
         if same and _same(start.folder, folder, "boundary") and (flux := foam_field.path_of(source, FLUX)) and FLUX not in names:
             foam_field.internal_values(flux)  # refuses a torn one
             shutil.copy(flux, os.path.join(folder, START))
             names.append(FLUX)
     how = "on the same mesh" if same else "interpolated to another mesh by mapFields"
-    return f"the gas starts from t = {time} s of {start.folder}, {how}: {', '.join(names)}"
+    level = f" (p_rgh moved by {more:.9g} Pa, to the level of the case's patches)" if more else ""
+    return f"the gas starts from t = {time} s of {start.folder}, {how}: {', '.join(names)}{level}"
 
 
 def _times(folder):
@@ -151,10 +155,43 @@ def _mapped(source, time, run, scratch, folder, environment):
     return os.path.join(target, START)
 
 
-def _take(source, folder, name):
-    """internalField of the file `source` for the field `name` in `folder`, whose boundaries stay."""
+def _pressure_above(run, folder):
+    """By how much the pressure is higher at the patches of the case in `folder` that give it than at those of the case that ran [Pa].
+
+    Only gradients of it move gas and particles: another level is taken on, or the first step would feel a jump at the patch. 0 where the
+    difference is not the same at all patches, which then drives the gas.
+    """
+    levels = [_fixed_pressures(case) for case in (run, folder)]
+    more = {levels[1][patch] - levels[0][patch] for patch in levels[0].keys() & levels[1].keys()}
+    return more.pop() if len(more) == 1 else 0.0
+
+
+def _fixed_pressures(case):
+    """{patch: value} of the patches with one pressure, as 0/ has them; those of p_rgh and of p differ by what a case does not change."""
+    path = foam_field.path_of(os.path.join(case, START), PRESSURE)
+    text = foam_field.content(path).decode("latin-1") if path else ""
+    found = {}
+    try:
+        boundaries = foam_file.parse(text[text.index("boundaryField") :]) if "boundaryField" in text else foam_file.Dictionary("")
+        numbers = Dictionaries(case)
+        for patch in (each for whole in boundaries.entries for each in getattr(whole, "entries", ())):
+            entries = {entry.key: entry.value for entry in getattr(patch, "entries", ()) if isinstance(entry, foam_file.Entry)}
+            value = re.sub(r"\$[:.]*\{?(\w+)\}?", lambda macro: _parameter(numbers, macro), entries.get(GIVES.get(entries.get("type")), ""))
+            if (number := re.fullmatch(r"uniform\s+([-+.\deE]+)", value)):
+                found[foam_file.unquoted(patch.key)] = float(number[1])
+    except (foam_file.FoamFileError, CaseError):
+        return {}
+    return found
+
+
+def _parameter(case, macro):
+    return case.value(PARAMETERS, macro[1], macro[0]) if case.has(PARAMETERS) else macro[0]
+
+
+def _take(source, folder, name, more):
+    """internalField of the file `source`, with `more` added, for the field `name` in `folder`, whose boundaries stay."""
     path = foam_field.path_of(folder, name)
-    values = foam_field.internal_values(source)
+    values = foam_field.internal_values(source, more)
     data = foam_field.content(path)
     kinds = [foam_field.header(each, "class") for each in (data, foam_field.content(source))]
     if kinds[0] != kinds[1]:

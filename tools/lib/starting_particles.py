@@ -84,8 +84,7 @@ def put(start, folder, name, moved=0.0):
     outside = ~source_holds(position, own.low, own.high, source.periodic)
     refuse_outside(outside, start, position, f"the box of {source.file} in {name}", own.low, own.high)
     spheres = particle_file.ParticleFile(own.types, own.low, own.high, start.particles.ids, kind, state["diameter"], density)
-    remark = f"LIGGGHTS data file, atom_style granular, SI units: {len(kind)} spheres of {start.where}".replace("\n", " ")
-    particle_file.write(path, remark, spheres, position, state["velocity"], state["spin"])
+    particle_file.write(path, f"{len(kind)} spheres of {start.where}", spheres, position, state["velocity"], state["spin"])
     return len(own.ids)
 
 

@@ -23,11 +23,20 @@ def checked(text, case, name, method, weight, folder):
     source = particle_source(case, missing=[])
     if source.file or source.others:
         starting_particles.check_script(source, name)
-    begins = case.value(CONTROL, "startTime", "0")
-    if case.value(CONTROL, "startFrom", "startTime") == "startTime" and not re.fullmatch(r"0*\.?0*", begins):
-        raise CaseError(f"--from: {name} begins at startTime {begins} s of system/controlDict; the clock of a run that starts from another "
-                        "one begins at 0: set startTime 0")
+    if begins := _begins_late(case):
+        raise CaseError(f"--from: {name} begins at {begins}; the clock of a run that starts from another one begins at 0: set startFrom "
+                        "startTime and startTime 0 in system/controlDict")
     return start
+
+
+def _begins_late(case):
+    """What makes the case begin at another time than 0; None where nothing does."""
+    zero = re.compile(r"0*\.?0*")
+    if case.value(CONTROL, "startFrom", "latestTime") == "startTime":
+        begins = case.value(CONTROL, "startTime", "0")
+        return None if zero.fullmatch(begins) else f"startTime {begins} s of system/controlDict"
+    later = [name for name in os.listdir(case.folder) if re.fullmatch(r"\d+\.?\d*(e[-+]?\d+)?", name) and not zero.fullmatch(name)]
+    return f"a time folder that it has, {', '.join(sorted(later, key=float)[:3])}" if later else None
 
 
 def put(start, folder, name, gas, environment, say, moved=0.0):
