@@ -95,8 +95,8 @@ class TestOtherMethods(StartingRuns):
         self.books_begin_alike(self.hard, new)
         self.assertIn(f"from {self.hard}/particles.h5:/snapshots/000010 (t = 0.1 s): {COUNT} spheres", said)
         self.assertAlmostEqual(series(new, "time")[0], 1e-3, delta=1e-9)  # after the first gas step of a clock that began at 0
-        # The bed has fallen and rests: energies are far below those of the fall. Springs give under the bed's weight; what that sets free
-        # is weight times settling, some 1e-3 d (weight of 12 layers over the spring of 800 N/m, summed). A hundredth of a diameter is ten times that.
+        # The bed has fallen and rests. Springs give under its weight; what that sets free is weight times settling, some 1e-3 d (the
+        # weight of 12 layers over springs of 800 N/m, summed). A hundredth of a diameter is ten times that.
         weight = COUNT * DENSITY * numpy.pi / 6 * DIAMETER**3 * 9.81
         before = series(self.hard, "kinetic_energy")
         self.assertLess(series(new, "kinetic_energy").max(), before[-1] + 0.01 * DIAMETER * weight)
@@ -179,6 +179,26 @@ class TestGas(StartingRuns):
         fine = mapped[:, 2].reshape(16, 2, 4, 2, 8, 2).mean(axis=(1, 3, 5)).ravel()
         self.assertGreater(numpy.corrcoef(fine, old[:, 2])[0, 1], 0.95)
 
+    def test_gas_that_is_torn(self):
+        torn = os.path.join(self.root, "torn")
+        shutil.copytree(self.soft, torn)
+        field = os.path.join(torn, "0.04/U")
+        os.truncate(field, os.path.getsize(field) // 2)
+        message = self.refused(torn, "--weight", "8")
+        self.assertIn("0.04/U: its 512 values are not all there: the file is torn; take another time", message)
+        self.start(torn + "@0.02", "--weight", "8")
+
+    def test_a_run_that_started_from_another_goes_on(self):
+        """A checkpoint and what is read anew go together."""
+        case = starting_runs.case(self.root, "kept")
+        coupling = os.path.join(case, "system/couplingDict")
+        support.write(coupling, support.read(coupling) + "\ncheckpoint { interval 0.005; }\n")
+        new, _ = self.start(self.soft, "--weight", "8", case=case)
+        done = starting_runs.plain(case, new, "--resume", "--until", "0.01")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("Reached t = 0.01 s", done.stdout)
+        self.assertEqual(record(new)["from"]["run"], self.soft)
+
     def test_a_time_at_which_no_gas_was_written(self):
         new, said = self.start(self.soft + "@0.03", "--weight", "8")
         self.same_particles((self.soft, 0.03), new)
@@ -230,6 +250,14 @@ class TestRefusals(StartingRuns):
         message = self.refused(self.soft, "--weight", "8", diameter=1.9e-3)
         self.assertIn("have another diameter than those of bed: 0.004 m, and dem/bed.data has 0.0038", message)
         self.assertIn("another density", self.refused(self.soft, "--weight", "8", particleDensity=1000))
+
+    def test_a_clock_that_does_not_begin_at_0(self):
+        case = starting_runs.case(self.root, "late")
+        self.set_entry(case, "system/controlDict", "startTime", 0.5)
+        self.assertIn("late begins at startTime 0.5 s", self.refused(self.soft, "--weight", "8", case=case))
+        self.set_entry(case, "system/controlDict", "startFrom", "latestTime")
+        os.mkdir(os.path.join(case, "0.3"))
+        self.assertIn("a time folder that it has, 0.3", self.refused(self.soft, "--weight", "8", case=case))
 
     def test_scripts_that_make_their_particles(self):
         for name, place in (("hopper-feed", "fix feed all insert/stream"), ("settling", "create_atoms")):

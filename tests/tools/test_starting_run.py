@@ -14,7 +14,7 @@ import numpy
 SOURCE = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..")
 sys.path.insert(0, os.path.join(SOURCE, "tools"))
 
-from lib import foam_field, particle_file, starting_particles, starting_run  # noqa: E402
+from lib import foam_field, particle_file, starting_particles, starting_point, starting_run  # noqa: E402
 from lib.case_folder import CaseError, Dictionaries  # noqa: E402
 from lib.input_error import InputError  # noqa: E402
 from lib.particle_script import particle_source  # noqa: E402
@@ -199,6 +199,28 @@ class Vessels(Folder):
                         self.put(run, case)
 
 
+    def test_the_outside_of_the_gas_mesh(self):
+        """By more than a radius: nearer ones are for the program, which knows the cells."""
+        case = self.case("case", spheres([1, 1], [0.1, 0.1], [1000, 1000]))
+        corners = " ".join(f"({x} {y} {z})" for x in (0, 0.8) for y in (0, 1) for z in (0, 1))
+        write(os.path.join(case, "constant/polyMesh/points"), f"FoamFile {{ format ascii; class vectorField; }}\n8\n(\n{corners}\n)\n")
+        run = os.path.join(self.root, "run")
+        self.record(run, [0.1, 0.1])
+        for x, inside in ((0.84, True), (0.86, False)):
+            with h5py.File(os.path.join(run, "particles.h5"), "r+") as file:
+                file["snapshots/000001/position"][0] = (x, 0.5, 0.5)
+            start = starting_run.find(run)
+            with self.subTest(x):
+                if inside:
+                    starting_point.refuse_outside_of_mesh(start, case, "case")
+                    continue
+                with self.assertRaisesRegex(InputError, "1 of 2 particles of .* outside of the gas mesh of case .*x 0 to 0.8"):
+                    starting_point.refuse_outside_of_mesh(start, case, "case")
+                coupling = os.path.join(case, "system/couplingDict")
+                write(coupling, COUPLING + "outsideMesh ignore;\n")
+                starting_point.refuse_outside_of_mesh(start, case, "case")
+
+
 class Scripts(Folder):
     def source(self, script, **files):
         folder = self.case("case", None, script)
@@ -220,7 +242,7 @@ class Scripts(Folder):
                 self.assertIn("dem/in.liggghts:3: " + line.split()[0], found.others[0])
                 with self.assertRaisesRegex(CaseError, "also makes or changes particles"):
                     starting_particles.check_script(found, "case")
-        for line in ("fix w all property/atom weight scalar yes no no 1", "set type 1 property/atom weight 8", "fix g all gravity 9.81 vector 0 0 -1"):
+        for line in ("fix w all property/atom weight scalar yes no no 1", "set type 1 property/atom weight 8", "fix g all gravity 9.81"):
             with self.subTest(line):
                 self.assertEqual(self.source(SCRIPT + line + "\n").others, [])
 

@@ -59,22 +59,24 @@ def internal_values(path, more=0.0):
 def points(folder):
     """Of the mesh in the case `folder` [n, 3], m; None where there are none."""
     path = path_of(os.path.join(folder, "constant/polyMesh"), "points")
-    if path is None:
-        return None
-    data = content(path)
+    return path and whole_list(path, content(path), 3)
+
+
+def whole_list(path, data, components, labels=False):
+    """The list [n, components] that a file of a mesh is; of whole numbers with `labels`."""
     start = body(data)
     found = re.search(rb"(?:^|\n)\s*(\d+)\s*\(", start)
     if found is None:
-        raise InputError(f"{path}: no list of points")
-    return _numbers(path, data, len(data) - len(start) + found.end(), int(found[1]), 3, False)
+        raise InputError(f"{path}: holds no list")
+    return _numbers(path, data, len(data) - len(start) + found.end(), int(found[1]), components, False, labels)
 
 
-def _numbers(path, data, at, count, components, repeated):
+def _numbers(path, data, at, count, components, repeated, labels=False):
     """[count, components] from the place behind the opening bracket on. InputError where some are missing."""
     if header(data, "format") == "binary":
-        kind = "<f4" if "scalar=32" in (header(data, "arch") or "") else "<f8"
-        if "MSB" in (header(data, "arch") or ""):
-            kind = kind.replace("<", ">")
+        arch = header(data, "arch") or ""
+        size = 8 if f"{'label' if labels else 'scalar'}=64" in arch or not (labels or "scalar=32" in arch) else 4
+        kind = f"{'>' if 'MSB' in arch else '<'}{'i' if labels else 'f'}{size}"
         size = count * components * numpy.dtype(kind).itemsize
         if len(data) < at + size + 1 or data[at + size : at + size + 1] != b")":
             raise InputError(f"{path}: its {count} values are not all there: the file is torn; take another time")

@@ -47,13 +47,13 @@ def put(start, folder, name, gas, environment, say, moved=0.0):
     say(f"from {start.where}: {count} spheres" + (f", where {name} has {before}" if before != count else ""))
     told = None
     if gas != "none":
-        _refuse_outside_of_mesh(start, folder, name)
+        refuse_outside_of_mesh(start, folder, name)
         told = starting_gas.put(start, folder, environment)
         say(told)
     return {**start.provenance(), "gas": told}
 
 
-def _refuse_outside_of_mesh(start, folder, name):
+def refuse_outside_of_mesh(start, folder, name):
     """Centres more than a radius out of the mesh's box; the program looks at cells, and at those that are nearer."""
     case = Dictionaries(folder)
     points = foam_field.points(folder)
