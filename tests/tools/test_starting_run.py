@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What tools/run --from finds in a run and in a case's script, in made-up ones: times and parts of a run, types and densities of its
+"""What tools/run --from finds in a run and in a case's script, in made-up ones: times of a run, types and densities of its
 spheres, where a script takes its particles from. tests/program/test_from.py runs the program."""
 
 import os
@@ -87,14 +87,6 @@ class Times(Folder):
         self.assertEqual(starting_run.find(run + "@0").time, 0.0)
         with self.assertRaisesRegex(InputError, "nearest is at 0.2 s"):
             starting_run.find(run + "@7")
-
-    def test_parts_before_a_run_was_resumed(self):
-        run = os.path.join(self.root, "run")
-        self.record(run, [0.1], times=(0.3, 0.4))
-        self.record(os.path.join(run, "records-until-0.25"), [0.1, 0.1], times=(0.1, 0.3))
-        self.assertEqual(starting_run.find(run).time, 0.4)
-        self.assertEqual(len(starting_run.find(run + "@0.1").particles.ids), 2)
-        self.assertEqual(len(starting_run.find(run + "@0.3").particles.ids), 1)  # of the part that counts
 
     def test_numbers_that_are_none(self):
         run = os.path.join(self.root, "run")

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The run, and the time of it, that another one starts from: `RUN[@time]`."""
 
-import glob
 import hashlib
 import json
 import os
@@ -46,25 +45,18 @@ def find(text):
     run = find_run(folder)
     if run is None or run.particles is None:
         raise InputError(f"{folder}: there is no particles.h5 in it: it is no run, or one that has not recorded its particles")
-    # The parts before a run was resumed come after the last one, whose times count
-    earlier = [find_run(path) for path in sorted(glob.glob(os.path.join(glob.escape(folder), "records-until-*")), reverse=True)]
-    runs = [run, *(part for part in earlier if part is not None and part.particles)]
-    times = [[frame.time for frame in part.frames()] for part in runs]
-    if not any(times):
+    times = [frame.time for frame in run.frames()]
+    if not times:
         raise InputError(f"{folder}: particles.h5 holds no whole snapshot; snapshotInterval of records in couplingDict asks for them")
-    if asked is None:
-        part, time = next((part, of_part[-1]) for part, of_part in zip(runs, times) if of_part)
-    else:
-        part, time = min(((part, time) for part, of_part in zip(runs, times) for time in of_part), key=lambda each: abs(each[1] - asked))
-        if abs(time - asked) > SAME_TIME * max(abs(asked), abs(time)):
-            raise InputError(f"{folder}: no whole snapshot at t = {asked:.9g} s; the nearest is at {time:.9g} s: --from {folder}@{time:.9g}")
-    weight, method = _recorded(part, folder)
-    for frame in part.frames():
+    time = times[-1] if asked is None else min(times, key=lambda each: abs(each - asked))
+    if asked is not None and abs(time - asked) > SAME_TIME * max(asked, time):
+        raise InputError(f"{folder}: no whole snapshot at t = {asked:.9g} s; the nearest is at {time:.9g} s: --from {folder}@{time:.9g}")
+    weight, method = _recorded(run)
+    for frame in run.frames():
         if frame.time == time:
             state = frame.load()
             _check(state, frame.where)
-            results = part.results or run.results
-            return StartingRun(folder, frame.where, time, state, weight, method, results)
+            return StartingRun(folder, frame.where, time, state, weight, method, run.results)
     raise InputError(f"{folder}: its snapshot of t = {time:.9g} s is gone; does the run still write?")
 
 
@@ -81,15 +73,15 @@ def _split(text):
     return folder, asked
 
 
-def _recorded(run, folder):
+def _recorded(run):
     """(weight, method) as results.h5 has them, else run.json."""
     found = {}
     if run.results:
         with open_h5(run.results) as file:
             found = dict(file["meta"].attrs) if "meta" in file else {}
-    if "weight" not in found and os.path.isfile(os.path.join(folder, "run.json")):
+    if "weight" not in found and os.path.isfile(os.path.join(run.path, "run.json")):
         try:
-            with open(os.path.join(folder, "run.json"), encoding="utf-8") as stream:
+            with open(os.path.join(run.path, "run.json"), encoding="utf-8") as stream:
                 found = json.load(stream)
         except ValueError:
             found = {}
