@@ -41,8 +41,7 @@ std::vector<char> Archive::whole(int part, const std::string& whole_name) const
     }
     long size = here ? static_cast<long>(here->size()) : -1;
     MPI_Bcast(&size, 1, MPI_LONG, holder, comm_->handle());
-    if (size < 0)
-        throw std::runtime_error("the saved state of rank " + std::to_string(part) + " has no " + whole_name);
+    if (size < 0) throw std::runtime_error("the saved state of rank " + std::to_string(part) + " has no " + whole_name);
     std::vector<char> bytes = here ? *here : std::vector<char>(static_cast<std::size_t>(size));
     broadcast(*comm_, bytes, holder);
     return bytes;

@@ -31,8 +31,7 @@ void move_addresses(const Communicator& comm, const Archive& archive, std::vecto
             wanted.erase(found);
         }
     }
-    if (comm.any(!wanted.empty()))
-        throw std::runtime_error("particles of a saved state are in cells that no rank has");
+    if (comm.any(!wanted.empty())) throw std::runtime_error("particles of a saved state are in cells that no rank has");
 }
 
 }  // namespace interphase

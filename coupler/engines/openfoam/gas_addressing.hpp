@@ -7,8 +7,8 @@
 
 namespace interphase {
 
-/// This rank's cells and faces by their numbers in the whole mesh, as decomposePar has left them (cellProcAddressing and
-/// faceProcAddressing beside the part's mesh); on one rank they are their own.
+/// This rank's cells and faces by their numbers in the whole mesh, as decomposePar has left them (cellProcAddressing
+/// and faceProcAddressing beside the part's mesh); on one rank they are their own.
 class GasAddressing {
 public:
     /// Collective.

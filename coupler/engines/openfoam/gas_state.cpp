@@ -24,7 +24,8 @@ void keep_values(Archive& archive, const std::string& name, Field<Type>& values)
 {
     static_assert(std::is_same_v<Type, scalar> || std::is_same_v<Type, vector>);
     constexpr std::size_t numbers = sizeof(Type) / sizeof(double);
-    archive.keep(name, values.empty() ? nullptr : reinterpret_cast<double*>(values.data()), numbers * at(values.size()));
+    archive.keep(name, values.empty() ? nullptr : reinterpret_cast<double*>(values.data()),
+                 numbers * at(values.size()));
 }
 
 std::string patch_name(label patch) { return "patch " + std::to_string(patch); }
@@ -76,12 +77,12 @@ GasState::GasState(Archive& archive, const fvMesh& mesh, const GasAddressing& ad
         archive_.keep("patch_starts", starts);
     } else if (!archive_.same_ranks() || (numbered && addressing_.known() && parts_differ())) {
         if (!numbered || !addressing_.known())
-            throw UserError(std::string("the parts of the mesh ") + (numbered ? "now" : "then") +
-                                " do not say which cells of the whole mesh they have, and the ranks are others than "
-                                "those of the checkpoint",
-                            "cellProcAddressing and faceProcAddressing in processor*/constant/polyMesh",
-                            "let decomposePar make the parts, or go on with " + std::to_string(archive_.parts()) +
-                                " ranks");
+            throw UserError(
+                std::string("the parts of the mesh ") + (numbered ? "now" : "then") +
+                    " do not say which cells of the whole mesh they have, and the ranks are others than "
+                    "those of the checkpoint",
+                "cellProcAddressing and faceProcAddressing in processor*/constant/polyMesh",
+                "let decomposePar make the parts, or go on with " + std::to_string(archive_.parts()) + " ranks");
         moved_ = true;
         find_moves();
     }

@@ -12,11 +12,11 @@
 namespace interphase {
 
 /// The fields of a gas, in and out of an archive: values in cells (faces) and on boundaries, those of the steps before
-/// that a time scheme looks at, and what boundary conditions have beside their values (a gradient, a reference), as they
-/// write it into a case's files.
+/// that a time scheme looks at, and what boundary conditions have beside their values (a gradient, a reference), as
+/// they write it into a case's files.
 ///
-/// Where the parts of the mesh are not those of the run that saved (other ranks, or other cuts), each value goes to where
-/// its cell or face is now, by their numbers in the whole mesh, and the archive is told how cells have moved.
+/// Where the parts of the mesh are not those of the run that saved (other ranks, or other cuts), each value goes to
+/// where its cell or face is now, by their numbers in the whole mesh, and the archive is told how cells have moved.
 class GasState {
 public:
     /// Throws a UserError where the mesh is another one, or parts are others and unnumbered. Collective.

@@ -57,12 +57,18 @@ word type_of(const entry& of)
         return {};
     }
     switch (tokens.size()) {  // the word, and numbers in parentheses
-        case 2: return pTraits<scalar>::typeName;
-        case 1 + 3 + 2: return pTraits<vector>::typeName;
-        case 1 + 6 + 2: return pTraits<symmTensor>::typeName;
-        case 1 + 9 + 2: return pTraits<tensor>::typeName;
-        case 1 + 1 + 2: return pTraits<sphericalTensor>::typeName;
-        default: return {};
+        case 2:
+            return pTraits<scalar>::typeName;
+        case 1 + 3 + 2:
+            return pTraits<vector>::typeName;
+        case 1 + 6 + 2:
+            return pTraits<symmTensor>::typeName;
+        case 1 + 9 + 2:
+            return pTraits<tensor>::typeName;
+        case 1 + 1 + 2:
+            return pTraits<sphericalTensor>::typeName;
+        default:
+            return {};
     }
 }
 
@@ -127,7 +133,9 @@ dictionary merged(const std::vector<ConditionPart>& parts, int faces, const std:
             result.add(key, merged(inner, faces, where));
             continue;
         }
-        const auto any = [&all](const auto& is) { return std::any_of(all.begin(), all.end(), [&](const entry* one) { return is(*one); }); };
+        const auto any = [&all](const auto& is) {
+            return std::any_of(all.begin(), all.end(), [&](const entry* one) { return is(*one); });
+        };
         if (any(has_bare_list)) refuse(where, key, "is a list that does not say whether it goes by faces");
         const std::string words = words_of(of);
         const bool alike = !any([&](const entry& one) { return words_of(one) != words; });
@@ -136,9 +144,11 @@ dictionary merged(const std::vector<ConditionPart>& parts, int faces, const std:
             continue;
         }
         if (any([](const entry& one) { return !is_field(one); })) refuse(where, key, "differs from rank to rank");
-        const auto typed = std::find_if(all.begin(), all.end(), [](const entry* one) { return has_value_for_each_face(*one); });
+        const auto typed =
+            std::find_if(all.begin(), all.end(), [](const entry* one) { return has_value_for_each_face(*one); });
         const word type = type_of(typed == all.end() ? of : **typed);
-        if (!add_field_of(type, result, key, parts, faces)) refuse(where, key, "is a field of a kind that is not known");
+        if (!add_field_of(type, result, key, parts, faces))
+            refuse(where, key, "is a field of a kind that is not known");
     }
     return result;
 }

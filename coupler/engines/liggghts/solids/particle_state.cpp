@@ -235,8 +235,8 @@ std::vector<double> sorted_anew(LAMMPS& lmp, const Archive& archive, const Domai
     }
     MPI_Allreduce(&numbers[0], &numbers[1], 1, MPI_LONG, MPI_SUM, lmp.world);
     if (numbers[1] != saved)
-        throw UserError("of the " + std::to_string(saved) + " particles of the checkpoint " + std::to_string(numbers[1]) +
-                            " have a place on these ranks",
+        throw UserError("of the " + std::to_string(saved) + " particles of the checkpoint " +
+                            std::to_string(numbers[1]) + " have a place on these ranks",
                         script, "go on with " + std::to_string(archive.parts()) + " ranks");
     return own;
 }
