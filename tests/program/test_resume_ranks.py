@@ -5,19 +5,22 @@
 """A run goes on from its last checkpoint on more or fewer ranks, or on parts of the mesh that are cut otherwise. What was saved is there to
 the last bit, in other places; 20 gas steps later it is the run that was not stopped, within the growth of round-off."""
 
+import json
 import os
 import shutil
 import subprocess
 import sys
 import unittest
 
+import h5py
 import numpy
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 
 import support  # noqa: E402
 import vessel  # noqa: E402
-from resumed_run import WEIGHTS, ResumedRun  # noqa: E402
+from resumed_run import WEIGHTS, ResumedMethods  # noqa: E402
+from vessel import DEPTH, DIAMETER, HEIGHT, WIDTH  # noqa: E402
 
 FIELDS = ("U", "p_rgh", "p", "phi", "voidage")
 ROUND_OFF = 1e-12  # of a balance
@@ -40,7 +43,7 @@ def at_time(run, time):
     return snapshots[min(snapshots, key=lambda one: abs(one - time))]
 
 
-class ResumeOnOtherRanks(ResumedRun, support.ProgramTest):
+class ResumeOnOtherRanks(ResumedMethods, support.ProgramTest):
     stop, end = 0.02, 0.04
     periods = None  # [3, m]
 
@@ -48,7 +51,7 @@ class ResumeOnOtherRanks(ResumedRun, support.ProgramTest):
         """At rest, so that a difference does not grow by collisions."""
         diameter = vessel.DIAMETER * WEIGHTS[method] ** (1 / 3)
         lines, self.count = vessel.bed(6 if WEIGHTS[method] == 1 else 4, diameter=diameter)
-        return vessel.case(self.root, particles=lines)
+        return vessel.case(os.path.join(self.root, f"bed{len(os.listdir(self.root))}"), particles=lines)
 
     def poured(self, method):
         """Onto it come so many, in half as much time again as there is to the stop."""
@@ -141,7 +144,6 @@ class ResumeOnOtherRanks(ResumedRun, support.ProgramTest):
         """Ranks draw their own random numbers, so the spheres that are still to come are others; as many, all told."""
         for method, first, ranks in (("DEM", 2, 1), ("TDHS", 1, 4)):
             with self.subTest(method=method):
-                self.root = os.path.join(os.path.dirname(self.root), f"{os.path.basename(self.root)}/{method}")
                 case = self.poured(method)
                 source, target = self.parted(case, method, first), self.parted(case, method, ranks)
                 whole = self.run_case(source, first)
@@ -184,6 +186,41 @@ class ResumeOnOtherRanks(ResumedRun, support.ProgramTest):
                 self.expect_same_at_stop(source, target, whole, self.go_on(source, target, ranks, self.stop), (first, ranks))
                 # spheres meet often: 3e-10 m were seen
                 self.expect_close("DEM", whole, self.go_on(source, target, ranks, self.end), limit=1e-8)
+
+    def test_tools_run_cuts_anew(self):
+        """No time that the gas was written at is lost, and rows go on."""
+        case, folder = self.bed("DEM"), os.path.join(self.root, "run")
+        self.edit(case, "parameters", r"^method .*$", "method DEM;")
+        for key, value in (("width", WIDTH), ("depth", DEPTH), ("height", HEIGHT), ("diameter", DIAMETER), ("weight", 1)):
+            self.edit(case, "parameters", rf"^{key} .*$", f"{key} {value};")
+        self.set_entry(case, "system/controlDict", "writeInterval", 0.005)
+        cut_for = []
+        for words in (["--ranks", "2", "--until", "0.01"], ["--resume", "--ranks", "3", "--until", "0.015"], ["--resume", "--until", "0.02"],
+                      ["--resume", "--ranks", "1", "--until", "0.025"], ["--resume", "--ranks", "2", "--until", "0.03"]):
+            done = subprocess.run(
+                [os.path.join(support.TOOLS, "run"), case, "--out", folder, "--no-picture", *words],
+                env=support.environment(INTERPHASE_BIN=support.PROGRAM), capture_output=True, text=True, timeout=200,
+            )
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            self.assertNotIn("tools/run: warning", done.stderr)
+            cut_for.append((json.loads(support.read(folder, "run.json"))["ranks"], sum(name.startswith("processor") for name in os.listdir(folder))))
+        self.assertEqual(cut_for, [(2, 2), (3, 3), (3, 3), (1, 0), (2, 2)])
+        for time in ("0.005", "0.01", "0.015", "0.02", "0.025", "0.03"):
+            self.assertTrue(os.path.isfile(os.path.join(folder, time, "U")), time)
+        with h5py.File(os.path.join(folder, "results.h5"), "r") as results:
+            self.assertEqual(list(results["/parts/ranks"][:]), [2, 3, 3, 1, 2])
+            numpy.testing.assert_allclose(results["/ledger/time"][:], vessel.GAS_STEP * numpy.arange(1, 31), atol=1e-9)
+            for balance in ("momentum", "volume", "gas_volume", "solids"):
+                self.assertLess(numpy.abs(results[f"/ledger/{balance}_residual"][:]).max(), ROUND_OFF, balance)
+
+    def test_the_program_alone_wants_the_case_cut(self):
+        folder = self.parted(self.bed("DEM"), "DEM", 2)
+        self.set_entry(folder, "system/controlDict", "endTime", 0.002)
+        self.run_case(folder, 2)
+        done = support.execute(folder, 3, options=["-resume"])
+        self.assertEqual(done.code, 1)
+        self.assertIn("the case is decomposed into 2 parts, and the run has 3 ranks", done.err)
+        self.assertIn("`reconstructPar` takes out what the parts hold of written times", done.err)
 
     def test_parts_that_do_not_know_their_cells_are_refused(self):
         case = self.bed("DEM")
