@@ -267,12 +267,14 @@ std::optional<Checkpoints::Found> Checkpoints::newest(std::vector<std::string>& 
             found.ranks = manifest.ranks;
             found.facts = manifest.facts;
             // with other ranks, each looks after some of the files
+            std::map<int, Archive::State> mine;
             for (int rank = comm_.rank(); rank < manifest.ranks; rank += comm_.size()) {
                 const std::string bytes = whole(fs::path(path) / rank_file(rank));
                 if (digest(bytes) != manifest.digests.at(rank_file(rank)))
                     throw std::runtime_error(rank_file(rank) + " is not as it was written");
-                if (manifest.ranks == comm_.size()) found.state = from_bytes(bytes);
+                mine[rank] = from_bytes(bytes).state();
             }
+            found.state = Archive::loading(comm_, manifest.ranks, std::move(mine));
         });
         if (!wrong) return found;
         passed_over.push_back(path + " is no whole checkpoint: " + *wrong);

@@ -36,7 +36,7 @@ public:
         double time = 0;
         int ranks = 0;
         Facts facts;
-        Archive state;  ///< of this rank, to load; empty where the ranks are not as many
+        Archive state;  ///< to load, also where the ranks are not as many
     };
     /// The newest one that is whole. `passed_over` tells of each newer one that is not.
     std::optional<Found> newest(std::vector<std::string>& passed_over) const;

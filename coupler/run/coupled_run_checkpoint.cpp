@@ -35,6 +35,8 @@ std::string without_places(const std::string& plugins)
     return std::regex_replace(plugins, std::regex("\\([^():]*: "), "(");
 }
 
+constexpr const char* cuts = "file system/decomposeParDict";  // may be others
+
 const char* const control = "system/controlDict";
 
 }  // namespace
@@ -61,11 +63,7 @@ Checkpoints::Facts CoupledRun::facts() const
 void CoupledRun::refuse_other_run(const Checkpoints::Found& found) const
 {
     std::optional<Problem> problem;
-    if (found.ranks != comm_.size())
-        problem = Problem{found.path + " is of a run of " + std::to_string(found.ranks) + " ranks, and this one has " +
-                              std::to_string(comm_.size()),
-                          "the command line", "go on with " + std::to_string(found.ranks) + " ranks"};
-    if (!problem && comm_.is_master()) {
+    if (comm_.is_master()) {
         const Checkpoints::Facts here = facts();
         std::string differences;
         const auto tell = [&](const std::string& words) { differences += "\n    " + words; };
@@ -75,6 +73,7 @@ void CoupledRun::refuse_other_run(const Checkpoints::Found& found) const
             return std::nullopt;
         };
         for (const auto& [name, then] : found.facts) {
+            if (name == cuts) continue;
             const auto now = value(here, name);
             const bool is_file = name.rfind("file ", 0) == 0;
             if (!now)
@@ -83,7 +82,7 @@ void CoupledRun::refuse_other_run(const Checkpoints::Found& found) const
                 tell(is_file ? name + " has changed" : name + ": " + *now + ", and was " + then);
         }
         for (const auto& [name, now] : here)
-            if (!value(found.facts, name)) tell(name + " is new");
+            if (name != cuts && !value(found.facts, name)) tell(name + " is new");
         if (!differences.empty())
             problem =
                 Problem{"the case is not as it was when " + found.path + " was written:" + differences, "the case",

@@ -8,7 +8,7 @@
 
 namespace interphase {
 
-/// What a run has taken so far by the wall clock [s]: phase by phase, the slowest rank's, and in all.
+/// What a run has taken so far by the wall clock [s]: phase by phase, the slowest rank's, and in all, the first rank's.
 struct SpentTime {
     std::array<double, phase_names.size()> seconds{};
     double wall = 0;
@@ -19,7 +19,7 @@ struct SpentTime {
         SpentTime all = *this;
         for (std::size_t phase = 0; phase < phase_names.size(); ++phase)
             all.seconds[phase] += comm.max(stopwatch.seconds(static_cast<Phase>(phase)));
-        all.wall += wall_of_part;
+        all.wall += comm.sum(comm.is_master() ? wall_of_part : 0.0);  // the same on all
         return all;
     }
 };

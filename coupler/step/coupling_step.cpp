@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/sphere.hpp"
+#include "exchange/moved_cells.hpp"
 
 namespace interphase {
 
@@ -320,15 +321,24 @@ void CouplingStep::keep(Archive& archive)
     archive.keep("watch", watch_);
     archive.keep("population", population_);
     if (stress_) archive.keep("stress", *stress_);
-    archive.keep("gas_volume", gas_volume_);
+    archive.keep_cells("gas_volume", gas_volume_);
     archive.keep("inspected", inspected_);
-    archive.keep("outside", outside_);
-    archive.keep("beyond_edge", beyond_edge_);
-    archive.keep("relieved", relieved_);
-    archive.keep("pushed", pushed_);
-    archive.keep("booked_in", booked_in_);
-    archive.keep("booked_out", booked_out_);
-    if (archive.loads()) knows_last_step_ = false;
+    archive.keep_share("outside", outside_);
+    archive.keep_share("beyond_edge", beyond_edge_);
+    archive.keep_share("relieved", relieved_);
+    archive.keep_share("pushed", pushed_);
+    archive.keep_share("booked_in", booked_in_);
+    archive.keep_share("booked_out", booked_out_);
+    if (!archive.loads()) return;
+    knows_last_step_ = false;
+    if (!archive.moved_cells()) return;
+    const ParticleView particles = solids_.particles();
+    owner_cells_.clear();
+    for (std::size_t i = 0; i < particles.size(); ++i)
+        owner_cells_.push_back(particles.coupling[i].owner_cell);
+    move_addresses(comm_, archive, owner_cells_);
+    for (std::size_t i = 0; i < particles.size(); ++i)
+        particles.coupling[i].owner_cell = owner_cells_[i];
 }
 
 }  // namespace interphase

@@ -257,8 +257,8 @@ std::vector<Count> InterphaseForces::counts() const
 
 void InterphaseForces::keep(Archive& archive)
 {
-    archive.keep("hold", hold_);
-    archive.keep("pressure_gradient", pressure_gradient_);
+    archive.keep_cells("hold", hold_);
+    archive.keep_cells("pressure_gradient", pressure_gradient_);
     archive.keep("fastest_relaxation", fastest_relaxation_);
     archive.keep("drag", drag_);
     for (std::size_t i = 0; i < terms_.size(); ++i)

@@ -33,7 +33,7 @@ public:
     void keep(Archive& archive)
     {
         archive.keep("count", count_);
-        archive.keep("totals", totals_);
+        archive.keep_share("totals", totals_);
     }
 
 private:

@@ -49,8 +49,10 @@ public:
     void keep(Archive& archive)
     {
         archive.keep("started", started_);
-        archive.keep("cells_overpacked", cells_overpacked_);
-        archive.keep("step_too_long", step_too_long_);
+        archive.keep_share("cells_overpacked", cells_overpacked_);
+        archive.keep_share("crossing_cells", step_too_long_.crossing_cells);
+        archive.keep_share("beyond_relaxation", step_too_long_.beyond_relaxation);
+        archive.keep("longest_step", step_too_long_.longest);
     }
 
 private:

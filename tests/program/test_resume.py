@@ -110,14 +110,6 @@ class Resume(ResumedMethods, support.ProgramTest):
             numpy.testing.assert_allclose(results["/parts/time"][:], [0, 0.015], atol=1e-9)
         self.assertEqual(len(done.snapshots()), 2)  # of start and end; that of the first part's end has made way
 
-    def test_other_ranks_are_refused(self):
-        folder, _ = self.ready("TDHS", ranks=2)
-        self.set_entry(folder, "system/controlDict", "endTime", self.stop)
-        self.run_case(folder, ranks=2)
-        done = support.execute(folder, options=["-resume"])
-        self.assertEqual(done.code, 1)
-        self.assertIn("checkpoints/0.02 is of a run of 2 ranks, and this one has 1", done.err)
-
     def test_tools_run_goes_on(self):
         case, folder = self.bed("TDHS"), os.path.join(self.root, "run")
         coupling = os.path.join(case, "system/couplingDict")

@@ -17,7 +17,7 @@ import time
 TOOLS = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 sys.path[0] = TOOLS  # not this folder: its statistics.py is not Python's
 
-from lib import case_folder, earlier_run, ending, foam_file, launch, mesh_choice  # noqa: E402
+from lib import case_folder, earlier_run, ending, foam_file, launch, mesh_choice, parts  # noqa: E402
 from lib.case_folder import CONTROL, COUPLING, PARAMETERS, CaseError  # noqa: E402
 from lib.input_error import InputError  # noqa: E402
 
@@ -78,7 +78,8 @@ def arguments():
     parser.add_argument("--overwrite", action="store_true", help="replace an earlier run in the run's folder")
     parser.add_argument(
         "--resume", action="store_true",
-        help="go on from the newest whole checkpoint in the run's folder, to --until where that is given",
+        help="go on from the newest whole checkpoint in the run's folder, to --until where that is given, on as many ranks or "
+        "on --ranks",
     )
     parser.add_argument(
         "--wall-limit", metavar="S", dest="wall_limit",
@@ -218,12 +219,7 @@ def prepare(case, folder, ranks, environment, say, begin=None):
     `begin(gas)` is called before the pieces are cut.
     """
     gas = case.value(COUPLING, "gas/model", "pimple")
-
-    def step(*command):
-        name = os.path.basename(command[0])
-        say(f"{name} ...")
-        launch.step(list(command), os.path.join(folder, f"log.{name}"), environment, folder)
-
+    step = steps(folder, environment, say)
     own = os.path.join(folder, "prepare")
     if os.access(own, os.X_OK):
         step(own)
@@ -234,25 +230,18 @@ def prepare(case, folder, ranks, environment, say, begin=None):
             step(mesher, "-case", folder)
     if begin is not None:
         begin(gas)
-    if ranks > 1:
-        if gas != "none":
-            step("decomposePar", "-case", folder, "-force")
-        if not collated_parts(folder):
-            for rank in range(ranks):  # OpenFOAM wants them even where there is no mesh to be cut
-                os.makedirs(os.path.join(folder, f"processor{rank}"), exist_ok=True)
+    parts.cut(folder, ranks, gas, step)
     return gas
 
 
-def collated_parts(folder):
-    """Names of the folders in which OpenFOAM's file handler `collated` keeps the parts of all ranks."""
-    return [name for name in os.listdir(folder) if re.fullmatch(r"processors\d+(_\d+-\d+)?", name)]
+def steps(folder, environment, say):
+    """A function that runs one program of the way to the start."""
+    def step(*command):
+        name = os.path.basename(command[0])
+        say(f"{name} ...")
+        launch.step(list(command), os.path.join(folder, f"log.{name}"), environment, folder)
 
-
-def wrote_gas(folder):
-    """Whether the pieces hold a time after the start."""
-    names = [name for part in ("processor0", *collated_parts(folder)) if os.path.isdir(os.path.join(folder, part))
-             for name in os.listdir(os.path.join(folder, part))]
-    return any(re.fullmatch(r"\d+\.?\d*(e[-+]?\d+)?", name) and float(name) > 0 for name in names)
+    return step
 
 
 def finish(folder, name, gas, ranks, picture, environment, say):
@@ -265,7 +254,7 @@ def finish(folder, name, gas, ranks, picture, environment, say):
             print(f"tools/run: warning: {error}", file=sys.stderr)
 
     if gas != "none":
-        if ranks > 1 and wrote_gas(folder):
+        if ranks > 1 and parts.wrote_gas(folder):
             attempt(["reconstructPar", "-case", folder], "log.reconstructPar")
         with open(os.path.join(folder, f"{name}.foam"), "w", encoding="utf-8"):
             pass
@@ -306,8 +295,11 @@ def main():
         if given.until is not None:
             earlier_run.set_end(folder, given.until)
         gas = case_folder.Dictionaries(folder).value(COUPLING, "gas/model", "pimple")
+        parts.cut_anew(folder, given.ranks, gas, steps(folder, environment, say),
+                       lambda words: print(f"tools/run: warning: {words}", file=sys.stderr))
         command = [*launch.command(binary, folder, given.ranks), "-resume"]
-        record = {**earlier, "until": given.until or earlier["until"], "command": command, "environment": variables}
+        record = {**earlier, "ranks": given.ranks, "until": given.until or earlier["until"], "command": command, "environment": variables}
+        write_record(folder, record)  # a kill leaves the number of ranks that the folder is cut for
         return run(given, name, folder, gas, command, record, earlier_run.free_log(folder), variables, environment, say)
 
     if os.path.isdir(folder) and os.listdir(folder):

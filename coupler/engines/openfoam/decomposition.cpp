@@ -45,8 +45,11 @@ void refuse_wrong_decomposition(const fs::path& folder)
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
     if (ranks == 1) return;
     const int single = single_parts(folder), collated = collated_parts(folder, ranks);
-    const std::string decompose = "run `decomposePar -force` with numberOfSubdomains " + std::to_string(ranks) +
-                                  " in system/decomposeParDict (tools/run --ranks does both)";
+    const std::string keep = single + collated > 0 ? "`reconstructPar` takes out what the parts hold of written times; "
+                                                     "then "
+                                                   : "";
+    const std::string decompose = keep + "run `decomposePar -force` with numberOfSubdomains " + std::to_string(ranks) +
+                                  " in system/decomposeParDict (tools/run --ranks does all of it)";
     if (single == 0 && collated == 0)
         throw UserError("the run has " + std::to_string(ranks) +
                             " ranks, and the case is not decomposed: there is neither processor0 nor processors" +

@@ -64,6 +64,7 @@ wordList patch_types(const fvMesh& mesh, const word& type)
 GasFields::GasFields(fvMesh& mesh)
     : mesh_(mesh),
       part_(mesh),
+      addressing_(mesh),
       properties_(mesh),
       g_(properties_.gravity()),
       rho_(properties_.density()),
@@ -197,13 +198,19 @@ Vector GasFields::gravity() const { return {g_.value().x(), g_.value().y(), g_.v
 
 void GasFields::keep(Archive& archive)
 {
+    GasState state(archive, mesh_, addressing_);
+    keep_fields(state);
+}
+
+void GasFields::keep_fields(GasState& state)
+{
     // conditions look at the fluxes when they are made anew
-    keep_field(archive, phi_);
-    keep_field(archive, superficial_phi_);
-    keep_field(archive, voidage_);
-    keep_field(archive, U_);
-    keep_field(archive, p_rgh_);
-    keep_field(archive, p_);
+    state.keep(phi_);
+    state.keep(superficial_phi_);
+    state.keep(voidage_);
+    state.keep(U_);
+    state.keep(p_rgh_);
+    state.keep(p_);
 }
 
 void GasFields::update_pressure() { p_ == p_rgh_ + rho_* properties_.height_potential(); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "engines/openfoam/gas_addressing.hpp"
 #include "engines/openfoam/gas_properties.hpp"
 #include "engines/openfoam/gas_stress.hpp"
 #include "engines/openfoam/mesh_part.hpp"
@@ -11,6 +12,8 @@
 #include "volFields.H"
 
 namespace interphase {
+
+class GasState;
 
 /// Mesh and fields that every gas model has: U [m/s], p_rgh and p [Pa], voidage, the fluxes phi of U and voidagePhi of
 /// eps U (the superficial one) [m3/s], and the gas's properties and stress. All of them are in OpenFOAM's registry, by
@@ -40,11 +43,15 @@ public:
     void keep(Archive& archive) override;
 
 protected:
+    /// The fields that the next step depends on.
+    virtual void keep_fields(GasState& state);
+
     /// p from p_rgh.
     void update_pressure();
 
     Foam::fvMesh& mesh_;
     MeshPart part_;
+    const GasAddressing addressing_;
     const GasProperties properties_;
     const Foam::uniformDimensionedVectorField& g_;
     const Foam::dimensionedScalar rho_;

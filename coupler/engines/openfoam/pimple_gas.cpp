@@ -264,10 +264,10 @@ Crossing PimpleGas::crossing() const
     return {dt * total.in, dt * total.out};
 }
 
-void PimpleGas::keep(Archive& archive)
+void PimpleGas::keep_fields(GasState& state)
 {
-    GasFields::keep(archive);
-    keep_field(archive, gas_share_);
+    GasFields::keep_fields(state);
+    state.keep(gas_share_);
 }
 
 double PimpleGas::courant_number() const

@@ -30,9 +30,10 @@ public:
     Scalars outflow() const override;
     Crossing crossing() const override;
     double courant_number() const override;
-    void keep(Archive& archive) override;
 
 private:
+    void keep_fields(GasState& state) override;
+
     struct Response;
 
     void refuse_control_of_others() const;

@@ -28,8 +28,8 @@ public:
 
     void keep(Archive& archive) override
     {
-        archive.keep("beyond_range", beyond_range_);
-        archive.keep("limited", limited_);
+        archive.keep_share("beyond_range", beyond_range_);
+        archive.keep_share("limited", limited_);
     }
 
 private:

@@ -28,7 +28,7 @@ public:
         return {{"beyond_lift_range", "particles beyond the lift law's range", beyond_range_}};
     }
 
-    void keep(Archive& archive) override { archive.keep("beyond_range", beyond_range_); }
+    void keep(Archive& archive) override { archive.keep_share("beyond_range", beyond_range_); }
 
 private:
     long beyond_range_ = 0;

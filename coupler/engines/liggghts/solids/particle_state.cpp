@@ -169,6 +169,95 @@ void give_pushes(LAMMPS& lmp, std::vector<double>& all)
     }
 }
 
+struct DomainBox {
+    double low[3], high[3];
+};
+
+DomainBox box_of(const LAMMPS& lmp)
+{
+    DomainBox box;
+    std::copy_n(lmp.domain->boxlo, 3, box.low);
+    std::copy_n(lmp.domain->boxhi, 3, box.high);
+    return box;
+}
+
+/// Where this rank's part of the box is among those of all ranks.
+struct Cut {
+    int parts[3], place[3];
+};
+
+Cut cut_of(const LAMMPS& lmp)
+{
+    Cut cut;
+    std::copy_n(lmp.comm->procgrid, 3, cut.parts);
+    std::copy_n(lmp.comm->myloc, 3, cut.place);
+    return cut;
+}
+
+/// Whether a particle at `x` belongs to this rank. One that has left a periodic box counts where it comes in again, one
+/// beyond a side that is fixed to the rank at that side: LIGGGHTS has not looked at it yet.
+bool is_own(LAMMPS_NS::Domain& domain, const Cut& cut, const double* x)
+{
+    double at[3] = {x[0], x[1], x[2]};
+    domain.remap(at);
+    for (int axis = 0; axis < 3; ++axis) {
+        const bool first = cut.place[axis] == 0, last = cut.place[axis] == cut.parts[axis] - 1;
+        if ((!first && at[axis] < domain.sublo[axis]) || (!last && at[axis] >= domain.subhi[axis])) return false;
+    }
+    return true;
+}
+
+/// Of the particles of all ranks that saved, those of this rank's part of the box. Sides that follow the particles are
+/// first put to where they were.
+std::vector<double> sorted_anew(LAMMPS& lmp, const Archive& archive, const DomainBox& box, const std::string& script)
+{
+    LAMMPS_NS::Domain& domain = *lmp.domain;
+    if (domain.triclinic || domain.is_wedge)
+        throw UserError("the particles' domain is no upright box: its particles cannot go to other ranks", script,
+                        "go on with " + std::to_string(archive.parts()) + " ranks");
+    std::copy_n(box.low, 3, domain.boxlo);
+    std::copy_n(box.high, 3, domain.boxhi);
+    domain.set_global_box();
+    domain.set_local_box();
+    const Cut cut = cut_of(lmp);
+    std::vector<double> own;
+    long saved = 0, numbers[2] = {0, 0};
+    for (int part = 0; part < archive.parts(); ++part) {
+        std::vector<double> all = archive.part_as<double>(part, "particles");
+        for (std::size_t k = 0; k < all.size(); ++saved) {
+            const std::size_t count = static_cast<std::size_t>(all[k]) + pushes;
+            if (is_own(domain, cut, &all[k + position_place])) {
+                own.insert(own.end(), &all[k], &all[k] + count);
+                ++numbers[0];
+            }
+            k += count;
+        }
+    }
+    MPI_Allreduce(&numbers[0], &numbers[1], 1, MPI_LONG, MPI_SUM, lmp.world);
+    if (numbers[1] != saved)
+        throw UserError("of the " + std::to_string(saved) + " particles of the checkpoint " +
+                            std::to_string(numbers[1]) + " have a place on these ranks",
+                        script, "go on with " + std::to_string(archive.parts()) + " ranks");
+    return own;
+}
+
+/// This rank's particles of the state: its own, where ranks have the same parts of the box as those that saved.
+std::vector<double> own_particles(LAMMPS& lmp, Archive& archive, const DomainBox& box, const std::string& script)
+{
+    int moved = !archive.same_ranks();
+    if (!moved) {
+        Cut then;
+        archive.keep("cut", then);
+        const Cut now = cut_of(lmp);
+        moved = std::memcmp(&then, &now, sizeof now) != 0;
+        MPI_Allreduce(MPI_IN_PLACE, &moved, 1, MPI_INT, MPI_MAX, lmp.world);
+    }
+    if (moved) return sorted_anew(lmp, archive, box, script);
+    std::vector<double> all;
+    archive.keep("particles", all);
+    return all;
+}
+
 void replace_particles(LAMMPS& lmp, std::vector<double>& all)
 {
     LAMMPS_NS::Atom& atom = *lmp.atom;
@@ -182,18 +271,6 @@ void replace_particles(LAMMPS& lmp, std::vector<double>& all)
     LAMMPS_NS::bigint here = atom.nlocal;
     MPI_Allreduce(&here, &atom.natoms, 1, MPI_LMP_BIGINT, MPI_SUM, lmp.world);
     if (atom.map_style) atom.map_init();
-}
-
-struct DomainBox {
-    double low[3], high[3];
-};
-
-DomainBox box_of(const LAMMPS& lmp)
-{
-    DomainBox box;
-    std::copy_n(lmp.domain->boxlo, 3, box.low);
-    std::copy_n(lmp.domain->boxhi, 3, box.high);
-    return box;
 }
 
 void refuse_other_box(const LAMMPS& lmp, const DomainBox& kept, const std::string& script)
@@ -253,10 +330,12 @@ void take_particle_state(LAMMPS& lmp, Archive& archive)
     std::string fixes = packers(lmp);
     std::vector<double> all = packed(lmp);
     DomainBox box = box_of(lmp);
+    Cut cut = cut_of(lmp);
     archive.keep("step", lmp.update->ntimestep);
     archive.keep("packers", fixes);
     archive.keep("largest", lmp.comm->maxexchange_fix);
     archive.keep("box", box);
+    archive.keep("cut", cut);
     archive.keep("particles", all);
     keep_fixes(lmp, archive);
 }
@@ -278,12 +357,11 @@ void put_back_particle_state(LAMMPS& lmp, Archive& archive, const std::string& s
         throw UserError("the script's fixes with something for each particle are " + packers(lmp) +
                             "and those of the checkpoint " + fixes + "in this order",
                         script, "go on with the script and the plug-ins of the run");
-    std::vector<double> all;
     DomainBox box;
     int largest = 0;
     archive.keep("box", box);
-    archive.keep("particles", all);
-    archive.keep("largest", largest);
+    archive.keep_largest("largest", largest);
+    std::vector<double> all = own_particles(lmp, archive, box, script);
     archive.keep("step", lmp.update->ntimestep);
     lmp.comm->maxexchange_fix = std::max(lmp.comm->maxexchange_fix, largest);
 

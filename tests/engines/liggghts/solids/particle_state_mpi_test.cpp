@@ -127,6 +127,30 @@ protected:
         return all;
     }
 
+    /// What rank `rank` has taken in, on all.
+    static Archive::State from_rank(int rank, const Archive::State& own)
+    {
+        Archive::State state;
+        auto count = static_cast<int>(own.size());
+        MPI_Bcast(&count, 1, MPI_INT, rank, world().handle());
+        auto entry = own.begin();
+        const bool sends = world().rank() == rank;
+        const auto shared = [rank](std::vector<char> bytes) {
+            auto size = static_cast<int>(bytes.size());
+            MPI_Bcast(&size, 1, MPI_INT, rank, world().handle());
+            bytes.resize(static_cast<std::size_t>(size));
+            MPI_Bcast(bytes.data(), size, MPI_BYTE, rank, world().handle());
+            return bytes;
+        };
+        for (int n = 0; n < count; ++n) {
+            const std::vector<char> name =
+                shared(sends ? std::vector<char>(entry->first.begin(), entry->first.end()) : std::vector<char>{});
+            state[{name.begin(), name.end()}] = shared(sends ? entry->second : std::vector<char>{});
+            if (sends) ++entry;
+        }
+        return state;
+    }
+
     test::ScratchFolder folder{world()};
     const Settings rules = settings();
 };
@@ -183,6 +207,54 @@ TEST_F(ParticleState, DisturbsNothing)
         EXPECT_LT((same->second.position - sphere.position).norm(), 1e-15) << id;
         EXPECT_LT((same->second.velocity - sphere.velocity).norm(), 1e-11) << id;
         EXPECT_LT((same->second.force - sphere.force).norm(), 1e-8 * largest_force) << id;
+    }
+}
+
+/// From all ranks to each alone, and back: none lost or doubled, and three gas steps later the forces, contact springs
+/// included, are those where nothing was moved.
+TEST_F(ParticleState, GoesToOtherRanks)
+{
+    script();
+    const Communicator& alone = test::alone();
+    for (const bool from_all : {true, false}) {
+        const Communicator &before = from_all ? world() : alone, &after = from_all ? alone : world();
+        LiggghtsSolids solids(before, rules);
+        solids.start(step, 100000, true);
+        advance(solids, 400);
+        const Archive saved = kept(solids);
+        const long number = before.sum(static_cast<long>(all_of(solids).size()));
+        EXPECT_GT(number, 100);
+
+        std::map<int, Archive::State> mine;
+        if (from_all)
+            for (int rank = 0; rank < world().size(); ++rank)
+                mine[rank] = from_rank(rank, saved.state());
+        else if (world().is_master())
+            mine[0] = saved.state();
+        Archive loading = Archive::loading(after, before.size(), mine);
+        LiggghtsSolids moved(after, rules);
+        moved.go_on_from(loading);
+        moved.start(step, 100000, true);
+        keep(moved, loading);
+        EXPECT_EQ(after.sum(static_cast<long>(all_of(moved).size())), number);
+
+        for (LiggghtsSolids* each : {&solids, &moved})
+            advance(*each, 3);
+        const auto expected = all_of(solids), found = all_of(moved);
+        double largest_force = 0;
+        for (const auto& [id, sphere] : expected)
+            largest_force = std::max(largest_force, sphere.force.norm());
+        largest_force = world().max(largest_force);
+        long compared = 0;
+        for (const auto& [id, sphere] : expected) {
+            const auto same = found.find(id);
+            if (same == found.end()) continue;  // on another rank
+            ++compared;
+            EXPECT_LT((same->second.position - sphere.position).norm(), 1e-15) << id;
+            EXPECT_LT((same->second.velocity - sphere.velocity).norm(), 1e-11) << id;
+            EXPECT_LT((same->second.force - sphere.force).norm(), 1e-8 * largest_force) << id;
+        }
+        EXPECT_EQ(world().sum(compared), number);
     }
 }
 

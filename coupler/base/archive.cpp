@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/archive.hpp"
+
+namespace interphase {
+
+namespace {
+
+constexpr std::size_t most_at_once = std::size_t{1} << 30;  // MPI counts in int
+
+/// From rank `root` to all.
+void broadcast(const Communicator& comm, std::vector<char>& bytes, int root)
+{
+    for (std::size_t done = 0; done < bytes.size(); done += most_at_once)
+        MPI_Bcast(bytes.data() + done, static_cast<int>(std::min(most_at_once, bytes.size() - done)), MPI_BYTE, root,
+                  comm.handle());
+}
+
+}  // namespace
+
+Archive Archive::loading(const Communicator& comm, int parts, std::map<int, State> mine)
+{
+    Archive archive;
+    archive.loads_ = true;
+    archive.comm_ = comm;
+    archive.parts_ = parts;
+    if (archive.same_ranks())
+        archive.state_ = std::move(mine[comm.rank()]);
+    else
+        archive.others_ = std::move(mine);
+    return archive;
+}
+
+std::vector<char> Archive::whole(int part, const std::string& whole_name) const
+{
+    const int holder = part % comm_->size();
+    const std::vector<char>* here = nullptr;
+    if (holder == comm_->rank()) {
+        const State& state = same_ranks() ? state_ : others_.at(part);
+        const auto entry = state.find(whole_name);
+        if (entry != state.end()) here = &entry->second;
+    }
+    long size = here ? static_cast<long>(here->size()) : -1;
+    MPI_Bcast(&size, 1, MPI_LONG, holder, comm_->handle());
+    if (size < 0) throw std::runtime_error("the saved state of rank " + std::to_string(part) + " has no " + whole_name);
+    std::vector<char> bytes = here ? *here : std::vector<char>(static_cast<std::size_t>(size));
+    broadcast(*comm_, bytes, holder);
+    return bytes;
+}
+
+std::vector<char> Archive::alike(const std::string& name) const
+{
+    std::vector<char> first = part(0, name);
+    bool differs = false;
+    for (const auto& [rank, state] : others_) {
+        const auto entry = state.find(prefix_ + name);
+        differs = differs || entry == state.end() || entry->second != first;
+    }
+    if (comm_->any(differs))
+        throw std::runtime_error(prefix_ + name + " differs from rank to rank, and can be given back to " +
+                                 std::to_string(parts_) + " ranks only");
+    return first;
+}
+
+}  // namespace interphase
