@@ -11,7 +11,7 @@ import numpy
 
 from lib.input_error import InputError
 from lib.particle_states import ParticleState
-from lib.run_records import RESULTS, find_run, open_h5
+from lib.run_records import find_run, open_h5
 
 SAME_TIME = 1e-6  # relative: times are typed, and named in folders, with few digits
 
