@@ -3,20 +3,6 @@
 
 namespace interphase {
 
-namespace {
-
-constexpr std::size_t most_at_once = std::size_t{1} << 30;  // MPI counts in int
-
-/// From rank `root` to all.
-void broadcast(const Communicator& comm, std::vector<char>& bytes, int root)
-{
-    for (std::size_t done = 0; done < bytes.size(); done += most_at_once)
-        MPI_Bcast(bytes.data() + done, static_cast<int>(std::min(most_at_once, bytes.size() - done)), MPI_BYTE, root,
-                  comm.handle());
-}
-
-}  // namespace
-
 Archive Archive::loading(const Communicator& comm, int parts, std::map<int, State> mine)
 {
     Archive archive;
@@ -30,7 +16,8 @@ Archive Archive::loading(const Communicator& comm, int parts, std::map<int, Stat
     return archive;
 }
 
-std::vector<char> Archive::whole(int part, const std::string& whole_name) const
+void Archive::whole_in_pieces(int part, const std::string& whole_name, std::size_t most,
+                              const std::function<void(const std::vector<char>&)>& take) const
 {
     const int holder = part % comm_->size();
     const std::vector<char>* here = nullptr;
@@ -42,9 +29,28 @@ std::vector<char> Archive::whole(int part, const std::string& whole_name) const
     long size = here ? static_cast<long>(here->size()) : -1;
     MPI_Bcast(&size, 1, MPI_LONG, holder, comm_->handle());
     if (size < 0) throw std::runtime_error("the saved state of rank " + std::to_string(part) + " has no " + whole_name);
-    std::vector<char> bytes = here ? *here : std::vector<char>(static_cast<std::size_t>(size));
-    broadcast(*comm_, bytes, holder);
-    return bytes;
+    std::vector<char> piece;
+    for (std::size_t done = 0; done < static_cast<std::size_t>(size); done += piece.size()) {
+        piece.resize(std::min(most, static_cast<std::size_t>(size) - done));
+        if (here) std::copy_n(here->data() + done, piece.size(), piece.data());
+        MPI_Bcast(piece.data(), static_cast<int>(piece.size()), MPI_BYTE, holder, comm_->handle());
+        take(piece);
+    }
+}
+
+void Archive::part_in_pieces(int part, const std::string& name, std::size_t most,
+                             const std::function<void(const std::vector<char>&)>& take) const
+{
+    whole_in_pieces(part, prefix_ + name, most, take);
+}
+
+std::vector<char> Archive::whole(int part, const std::string& whole_name) const
+{
+    constexpr std::size_t most = std::size_t{1} << 30;  // MPI counts in int
+    std::vector<char> all;
+    whole_in_pieces(part, whole_name, most,
+                    [&all](const std::vector<char>& piece) { all.insert(all.end(), piece.begin(), piece.end()); });
+    return all;
 }
 
 std::vector<char> Archive::alike(const std::string& name) const

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -74,7 +75,11 @@ public:
     /// What rank `part` of them took in under `name`, to all ranks. Throws a std::runtime_error on all where it has no
     /// such name. Collective.
     std::vector<char> part(int part, const std::string& name) const { return whole(part, prefix_ + name); }
-    /// The same as values that lie side by side.
+    /// The same piece by piece, as the bytes of a large entry need not be on all ranks at once: each has at most `most`
+    /// bytes, all but the last just as many.
+    void part_in_pieces(int part, const std::string& name, std::size_t most,
+                        const std::function<void(const std::vector<char>&)>& take) const;
+    /// What part() gives, as values that lie side by side.
     template <class Value>
     std::vector<Value> part_as(int part, const std::string& name) const
     {
@@ -236,6 +241,8 @@ private:
         return values;
     }
 
+    void whole_in_pieces(int part, const std::string& whole_name, std::size_t most,
+                         const std::function<void(const std::vector<char>&)>& take) const;
     std::vector<char> whole(int part, const std::string& whole_name) const;
     std::vector<char> alike(const std::string& name) const;
 

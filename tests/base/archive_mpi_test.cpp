@@ -116,6 +116,19 @@ TEST(ArchiveOfOtherRanks, GivesEachItsPart)
     }
 }
 
+TEST(ArchiveOfOtherRanks, GivesALargeEntryInPieces)
+{
+    const Archive archive = saved_by(5);
+    std::vector<char> all;
+    std::vector<std::size_t> sizes;
+    archive.part_in_pieces(3, "object/of_cells", 24, [&](const std::vector<char>& piece) {
+        sizes.push_back(piece.size());
+        all.insert(all.end(), piece.begin(), piece.end());
+    });
+    EXPECT_EQ(sizes, (std::vector<std::size_t>{24, 8}));  // two cells of two numbers
+    EXPECT_EQ(all, archive.part(3, "object/of_cells"));
+}
+
 TEST(ArchiveOfOtherRanks, MovesAddresses)
 {
     for (const int ranks : {1, 3, 5}) {

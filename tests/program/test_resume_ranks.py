@@ -218,22 +218,29 @@ class ResumeOnOtherRanks(ResumedMethods, support.ProgramTest):
                 # spheres meet often: 3e-10 m were seen
                 self.expect_close("DEM", whole, self.go_on(source, target, ranks, self.end), limit=1e-8)
 
-    def test_tools_run_cuts_anew(self):
-        """No time that the gas was written at is lost, and rows go on."""
-        case, folder = self.bed("DEM"), os.path.join(self.root, "run")
+    def case_of_tools_run(self):
+        case = self.bed("DEM")
         self.edit(case, "parameters", r"^method .*$", "method DEM;")
         for key, value in (("width", WIDTH), ("depth", DEPTH), ("height", HEIGHT), ("diameter", DIAMETER), ("weight", 1)):
             self.edit(case, "parameters", rf"^{key} .*$", f"{key} {value};")
         self.set_entry(case, "system/controlDict", "writeInterval", 0.005)
+        return case
+
+    def tools_run(self, case, folder, *words):
+        done = subprocess.run(
+            [os.path.join(support.TOOLS, "run"), case, "--out", folder, "--no-picture", *words],
+            env=support.environment(INTERPHASE_BIN=support.PROGRAM), capture_output=True, text=True, timeout=200,
+        )
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return done
+
+    def test_tools_run_cuts_anew(self):
+        """No time that the gas was written at is lost, and rows go on."""
+        case, folder = self.case_of_tools_run(), os.path.join(self.root, "run")
         cut_for = []
         for words in (["--ranks", "2", "--until", "0.01"], ["--resume", "--ranks", "3", "--until", "0.015"], ["--resume", "--until", "0.02"],
                       ["--resume", "--ranks", "1", "--until", "0.025"], ["--resume", "--ranks", "2", "--until", "0.03"]):
-            done = subprocess.run(
-                [os.path.join(support.TOOLS, "run"), case, "--out", folder, "--no-picture", *words],
-                env=support.environment(INTERPHASE_BIN=support.PROGRAM), capture_output=True, text=True, timeout=200,
-            )
-            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-            self.assertNotIn("tools/run: warning", done.stderr)
+            self.assertNotIn("tools/run: warning", self.tools_run(case, folder, *words).stderr)
             cut_for.append((json.loads(support.read(folder, "run.json"))["ranks"], sum(name.startswith("processor") for name in os.listdir(folder))))
         self.assertEqual(cut_for, [(2, 2), (3, 3), (3, 3), (1, 0), (2, 2)])
         for time in ("0.005", "0.01", "0.015", "0.02", "0.025", "0.03"):
@@ -243,6 +250,16 @@ class ResumeOnOtherRanks(ResumedMethods, support.ProgramTest):
             numpy.testing.assert_allclose(results["/ledger/time"][:], vessel.GAS_STEP * numpy.arange(1, 31), atol=1e-9)
             for balance in ("momentum", "volume", "gas_volume", "solids"):
                 self.assertLess(numpy.abs(results[f"/ledger/{balance}_residual"][:]).max(), ROUND_OFF, balance)
+
+    def test_parts_that_cannot_be_put_together_are_put_aside(self):
+        case, folder = self.case_of_tools_run(), os.path.join(self.root, "run")
+        self.tools_run(case, folder, "--ranks", "2", "--until", "0.005")
+        shutil.rmtree(os.path.join(folder, "0.005"))  # as of a run that was killed before
+        support.write(os.path.join(folder, "processor1/0.005/U"), "FoamFile { version 2.0; format ascii; class volVectorField; object U; }\n")
+        done = self.tools_run(case, folder, "--resume", "--ranks", "1", "--until", "0.01")
+        self.assertIn("reconstructPar failed", done.stderr)
+        self.assertIn("the parts of the ranks so far are in", done.stderr)
+        self.assertTrue(os.path.isfile(os.path.join(folder, "parts-of-2-ranks/processor0/0.005/U")))
 
     def test_the_program_alone_wants_the_case_cut(self):
         folder = self.parted(self.bed("DEM"), "DEM", 2)

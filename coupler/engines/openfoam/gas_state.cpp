@@ -70,7 +70,11 @@ GasState::GasState(Archive& archive, const fvMesh& mesh, const GasAddressing& ad
 {
     bool numbered = addressing_.known();
     std::vector<int> cells = addressing_.cells(), faces = addressing_.faces(), starts = addressing_.patch_starts();
+    int patches = addressing_.patches();
     archive_.keep("numbered", numbered);
+    archive_.keep("patches", patches);
+    if (patches != addressing_.patches())
+        throw other_mesh(std::to_string(addressing_.patches()) + " patches, and " + std::to_string(patches) + " then");
     if (!archive_.loads()) {
         archive_.keep("cells", cells);
         archive_.keep("faces", faces);

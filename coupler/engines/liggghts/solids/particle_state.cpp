@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <stdexcept>
 #include <unordered_map>
 #include <vector>
 
@@ -169,6 +170,8 @@ void give_pushes(LAMMPS& lmp, std::vector<double>& all)
     }
 }
 
+constexpr int shrinks = 2;  ///< from here on, of Domain::boundary: the side follows the particles
+
 struct DomainBox {
     double low[3], high[3];
 };
@@ -215,23 +218,35 @@ std::vector<double> sorted_anew(LAMMPS& lmp, const Archive& archive, const Domai
     if (domain.triclinic || domain.is_wedge)
         throw UserError("the particles' domain is no upright box: its particles cannot go to other ranks", script,
                         "go on with " + std::to_string(archive.parts()) + " ranks");
-    std::copy_n(box.low, 3, domain.boxlo);
-    std::copy_n(box.high, 3, domain.boxhi);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (domain.boundary[axis][0] >= shrinks) domain.boxlo[axis] = box.low[axis];
+        if (domain.boundary[axis][1] >= shrinks) domain.boxhi[axis] = box.high[axis];
+    }
     domain.set_global_box();
     domain.set_local_box();
     const Cut cut = cut_of(lmp);
-    std::vector<double> own;
+    std::vector<double> own, pending;  // the latter of particles of which more is to come
     long saved = 0, numbers[2] = {0, 0};
-    for (int part = 0; part < archive.parts(); ++part) {
-        std::vector<double> all = archive.part_as<double>(part, "particles");
-        for (std::size_t k = 0; k < all.size(); ++saved) {
-            const std::size_t count = static_cast<std::size_t>(all[k]) + pushes;
-            if (is_own(domain, cut, &all[k + position_place])) {
-                own.insert(own.end(), &all[k], &all[k] + count);
+    const auto sort = [&](const std::vector<char>& piece) {
+        const std::size_t before = pending.size();
+        pending.resize(before + piece.size() / sizeof(double));
+        std::memcpy(&pending[before], piece.data(), piece.size());
+        std::size_t k = 0;
+        for (; k < pending.size(); ++saved) {
+            const std::size_t count = static_cast<std::size_t>(pending[k]) + pushes;
+            if (k + count > pending.size()) break;
+            if (is_own(domain, cut, &pending[k + position_place])) {
+                own.insert(own.end(), &pending[k], &pending[k] + count);
                 ++numbers[0];
             }
             k += count;
         }
+        pending.erase(pending.begin(), pending.begin() + static_cast<std::ptrdiff_t>(k));
+    };
+    constexpr std::size_t piece = sizeof(double) << 20;
+    for (int part = 0; part < archive.parts(); ++part) {
+        archive.part_in_pieces(part, "particles", piece, sort);
+        if (!pending.empty()) throw std::runtime_error("a saved state ends within a particle");
     }
     MPI_Allreduce(&numbers[0], &numbers[1], 1, MPI_LONG, MPI_SUM, lmp.world);
     if (numbers[1] != saved)
@@ -277,7 +292,6 @@ void refuse_other_box(const LAMMPS& lmp, const DomainBox& kept, const std::strin
 {
     const DomainBox now = box_of(lmp);
     for (int axis = 0; axis < 3; ++axis) {
-        constexpr int shrinks = 2;  // from here on, of Domain::boundary
         const auto differs = [&](int side, double a, double b) {
             return lmp.domain->boundary[axis][side] < shrinks && a != b;
         };
