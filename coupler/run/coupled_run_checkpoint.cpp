@@ -105,7 +105,7 @@ void CoupledRun::find_checkpoint()
     if (const auto problem = solids_->cannot_be_kept()) throw UserError(*problem);
     refuse_other_run(*kept_);
     kept_->state.within("case", [this] { case_.keep(kept_->state); });
-    solids_->go_on_from(kept_->state);
+    solids_->go_on_from(kept_->state, kept_->time);
 }
 
 void CoupledRun::make_way_for_checkpoints(bool overwrites) const

@@ -38,9 +38,9 @@ public:
     virtual double largest_diameter() const = 0;   ///< of the tracked spheres [m]. Collective.
     virtual double smallest_diameter() const = 0;  ///< of the tracked spheres [m]. Collective.
 
-    /// Before start(): this run is to go on from what keep() took in, as "solids", which follows start(). `kept`
-    /// outlives it.
-    virtual void go_on_from(Archive& kept) = 0;
+    /// Before start(): this run is to go on, at `time` [s], from what keep() took in, as "solids", which follows
+    /// start(). `kept` outlives it.
+    virtual void go_on_from(Archive& kept, double time) = 0;
 
     /// Why the state of this scene cannot be kept, if it cannot.
     virtual std::optional<Problem> cannot_be_kept() const { return std::nullopt; }

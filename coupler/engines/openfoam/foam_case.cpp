@@ -36,13 +36,13 @@ namespace interphase {
 
 namespace {
 
-/// What OpenFOAM prints on the first rank goes to a file: the terminal is for the run's progress. Warnings are heard on
-/// all.
+/// What OpenFOAM prints on the first rank goes to a file, behind what it holds where a run goes on: the terminal is for
+/// the run's progress. Warnings are heard on all.
 class OutputToLog {
 public:
-    explicit OutputToLog(bool first_rank) : console_(std::cout.rdbuf())
+    OutputToLog(bool first_rank, bool goes_on) : console_(std::cout.rdbuf())
     {
-        if (first_rank) file_.open(warnings_.log());
+        if (first_rank) file_.open(warnings_.log(), goes_on ? std::ios::app : std::ios::trunc);
         output_.emplace(first_rank ? file_.rdbuf() : nullptr, warnings_);
         std::cout.rdbuf(&*output_);
     }
@@ -187,7 +187,7 @@ FoamCase::FoamCase(int& argc, char**& argv) : parts_(std::make_unique<Parts>())
     Foam::FatalError.throwExceptions();
     Foam::FatalIOError.throwExceptions();
     std::filesystem::current_path(std::string(parts_->args->globalPath()));
-    parts_->output.emplace(Foam::UPstream::master());
+    parts_->output.emplace(Foam::UPstream::master(), resumes());
     with_foam_errors([this] {
         const Foam::fileName root = parts_->args->globalPath();
         parts_->time = std::make_unique<Foam::Time>(Foam::Time::controlDictName, *parts_->args);

@@ -13,6 +13,7 @@
 #include "engines/liggghts/plugins/fix_registration.hpp"
 #include "engines/liggghts/script/last_words.hpp"
 #include "engines/liggghts/solids/contact_duration.hpp"
+#include "engines/liggghts/solids/dump_files.hpp"
 #include "engines/liggghts/solids/elastic_spheres.hpp"
 #include "engines/liggghts/solids/fix_fluid.hpp"
 #include "engines/liggghts/solids/fix_population.hpp"
@@ -55,8 +56,10 @@ void set_last_step(LAMMPS_NS::Update& update, LAMMPS_NS::bigint last)
 
 }  // namespace
 
-LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& settings) : comm_(comm), settings_(settings)
+LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& settings, bool resumes)
+    : comm_(comm), settings_(settings), earlier_(resumes)
 {
+    const EarlierFiles::Watch watching(earlier_);
     std::vector<std::string> words{"liggghts", "-screen", LastWords::log_name, "-log", "none", "-echo", "screen"};
     const auto pass = [&words](const std::string& name, const std::string& value) {
         words.insert(words.end(), {"-var", name, value});
@@ -133,9 +136,24 @@ double LiggghtsSolids::smallest_diameter() const
     return 2 * comm_.min(radius);
 }
 
+void LiggghtsSolids::go_on_from(Archive& kept, double time)
+{
+    kept_ = &kept;
+    kept_time_ = time;
+}
+
+std::vector<Problem> LiggghtsSolids::remarks()
+{
+    std::vector<Problem> all = remarks_->now();
+    all.insert(all.end(), of_files_.begin(), of_files_.end());
+    of_files_.clear();
+    return all;
+}
+
 void LiggghtsSolids::start(double solid_step, long steps, bool with_gas)
 {
     const LastWords of_liggghts(comm_.is_master());
+    const EarlierFiles::Watch watching(earlier_);
     char command[64];
     std::snprintf(command, sizeof command, "timestep %.17g", solid_step);
     lammps_command(lmp_, command);
@@ -144,7 +162,10 @@ void LiggghtsSolids::start(double solid_step, long steps, bool with_gas)
     if (with_gas) fluid_ = add_fix<FixFluid>(*lmp_, "interphase");  // the last one: it answers to all other forces
 
     // what `run` does before its loop, so that the loop can be continued at any length without setting up again
-    if (kept_) kept_->within("solids", [this] { take_up_step(*lmp_, *kept_); });
+    if (kept_) {
+        kept_->within("solids", [this] { take_up_step(*lmp_, *kept_); });
+        of_files_ = go_on_dumping(*lmp_, kept_time_);
+    }
     LAMMPS_NS::Update& update = *lmp_->update;
     update.whichflag = 1;
     update.firststep = update.beginstep = update.ntimestep;
@@ -152,8 +173,7 @@ void LiggghtsSolids::start(double solid_step, long steps, bool with_gas)
     lmp_->init();
     population_->watch(fluid_);
     const long before = comm_.sum(static_cast<long>(lmp_->atom->nlocal));
-    update.integrate->setup();
-    lmp_->timer->init();
+    set_up();
     const long lost = before - comm_.sum(static_cast<long>(lmp_->atom->nlocal));
     if (lost > 0)
         throw UserError(std::to_string(lost) + " of " + std::to_string(before) +
@@ -162,6 +182,19 @@ void LiggghtsSolids::start(double solid_step, long steps, bool with_gas)
 
     if (auto* fix = dynamic_cast<LAMMPS_NS::FixGravity*>(lmp_->modify->find_fix_style("gravity", 0)))
         fix->get_gravity(gravity_.data());
+    if (const auto told = kept_ ? earlier_.keep(kept_time_) : std::nullopt) of_files_.push_back(*told);
+}
+
+/// A run that goes on has no output before its particles are the kept ones (keep()).
+void LiggghtsSolids::set_up()
+{
+    if (kept_) {
+        lmp_->atom->setup();
+        lmp_->modify->setup_pre_exchange();
+        lmp_->update->integrate->setup_minimal(1);
+    } else
+        lmp_->update->integrate->setup();
+    lmp_->timer->init();
 }
 
 void LiggghtsSolids::end_after(long steps)
@@ -184,9 +217,11 @@ std::string LiggghtsSolids::sums_lost() const { return sums_not_kept(*lmp_); }
 void LiggghtsSolids::keep(Archive& archive)
 {
     const LastWords of_liggghts(comm_.is_master());
-    if (archive.loads())
+    if (archive.loads()) {
         put_back_particle_state(*lmp_, archive, settings_.script);
-    else
+        if (kept_) lmp_->output->setup(0);  // which Integrate::setup() would have called
+        kept_ = nullptr;
+    } else
         take_particle_state(*lmp_, archive);
     population_->begin_anew();
     archive.keep("remarks", *remarks_);

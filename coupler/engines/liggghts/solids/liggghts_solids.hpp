@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engines/liggghts/plugins/plugin_loader.hpp"
+#include "engines/liggghts/script/earlier_files.hpp"
 #include "engines/liggghts/script/last_words.hpp"
 #include "engines/liggghts/script/listening_screen.hpp"
 #include "engines/liggghts/solids/insertions.hpp"
@@ -26,8 +27,8 @@ class FixPopulation;
 class LiggghtsSolids : public ParticleEngine {
 public:
     /// Runs the case's script (in the current folder). An error in it ends the program, with LIGGGHTS's own words and
-    /// the line it choked on. Collective.
-    LiggghtsSolids(const Communicator& comm, const Settings& settings);
+    /// the line it choked on. `resumes`: go_on_from() will follow, and files of the run before stay. Collective.
+    LiggghtsSolids(const Communicator& comm, const Settings& settings, bool resumes = false);
     ~LiggghtsSolids() override;
 
     std::optional<double> contact_duration() const override { return contact_duration_; }
@@ -36,7 +37,7 @@ public:
     std::string plugins() const override { return described(plugins_); }
     double largest_diameter() const override;
     double smallest_diameter() const override;
-    void go_on_from(Archive& kept) override { kept_ = &kept; }
+    void go_on_from(Archive& kept, double time) override;
     void start(double solid_step, long steps, bool with_gas) override;
     void end_after(long steps) override;
     std::optional<Problem> cannot_be_kept() const override;
@@ -58,15 +59,18 @@ public:
 
     std::string version() const override;
 
-    std::vector<Problem> remarks() override { return remarks_->now(); }
+    std::vector<Problem> remarks() override;
     std::vector<Count> counts() const override;
     EngineWarnings* warnings() override;  ///< flushed
 
 private:
     void refuse_faster_contacts() const;
+    void set_up();
 
     Communicator comm_;
     const Settings& settings_;
+    EarlierFiles earlier_;
+    std::vector<Problem> of_files_;  ///< to be told
     EngineWarnings warnings_{"LIGGGHTS", LastWords::log_name};
     std::unique_ptr<ListeningScreen> screen_;
     LAMMPS_NS::LAMMPS* lmp_ = nullptr;
@@ -80,6 +84,7 @@ private:
     Vector gravity_ = Vector::Zero();
     std::unique_ptr<SceneRemarks> remarks_;
     Archive* kept_ = nullptr;             ///< that this run is to go on from
+    double kept_time_ = 0;                ///< [s]
     std::vector<SpheresToCome> to_come_;  ///< at the start
 };
 
