@@ -144,6 +144,8 @@ void CoupledRun::go_on()
         throw UserError(kept_->path + " does not fit the case: " + error.what(), "the case",
                         "start anew, without -resume");
     }
+    for (const Problem& problem : case_.go_on())
+        report_.warn(problem.message());
     const auto tell = [this](const std::string& names, const std::string& what) {
         if (!names.empty())
             report_.warn("what " + names + " of " + what + " may have summed up begins anew at t = " +

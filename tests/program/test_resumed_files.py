@@ -8,6 +8,7 @@ kept beside those that go on."""
 import glob
 import os
 import re
+import shutil
 import sys
 import unittest
 
@@ -26,6 +27,17 @@ variable n equal atoms
 compute energy all ke
 fix words all print 100 "$n" file dem/words.txt screen no
 fix mean all ave/time 20 5 100 c_energy file dem/mean.txt
+"""
+FUNCTIONS = """\
+functions
+{
+    flow { type surfaceFieldValue; libs (fieldFunctionObjects); writeControl timeStep; writeInterval 3; writeFields no; log no;
+           regionType patch; name outlet; operation sum; fields (voidagePhi); }
+    mean { type fieldAverage; libs (fieldFunctionObjects); fields (p { mean on; prime2Mean off; base time; }); }
+    probes { type probes; libs (sampling); fields (p pMean); probeLocations ((0.02 0.01 0.05)); }
+    seldom { type probes; libs (sampling); writeControl runTime; writeInterval 0.003; fields (p); probeLocations ((0.02 0.01 0.05)); }
+    off { type fieldAverage; enabled no; }
+}
 """
 
 
@@ -97,6 +109,35 @@ class ResumedFiles(support.ProgramTest):
             rows = [[line for line in support.read(stopped, file).splitlines() if line[0] != "#"] for file in (name + "-until-0.01", name)]
             self.assertEqual(rows[0] + rows[1], [line for line in support.read(straight, name).splitlines() if line[0] != "#"], name)
             self.assertIn(name + "-until-0.01", done.err)
+
+    def rows(self, folder, name):
+        """Those of all parts: numbers."""
+        files = glob.glob(os.path.join(folder, "postProcessing", name))
+        lines = [line for file in sorted(files, key=lambda path: float(path.split("/")[-2])) for line in support.read(file).splitlines()]
+        return [[float(word) for word in line.split()] for line in lines if not line.lstrip().startswith("#")]
+
+    def test_function_objects(self):
+        straight, stopped = self.pair("")
+        for folder in (straight, stopped):
+            control = os.path.join(folder, "system/controlDict")
+            support.write(control, support.read(control).split("// OpenFOAM's function objects")[0] + FUNCTIONS)
+            self.set_entry(folder, "system/controlDict", "writeInterval", self.stop)
+        self.run_case(straight)
+        done = self.resumed(stopped)
+        self.assertIn("what mean (fieldAverage) of system/controlDict", done.err)
+        self.assertEqual(support.read(stopped, "log.openfoam").count("FOAM Warning"), 0)
+        for name, count in (("flow/*/surfaceFieldValue.dat", 6), ("probes/*/p", 20), ("seldom/*/p", 6)):
+            self.assertEqual(self.rows(stopped, name), self.rows(straight, name), name)
+            self.assertEqual(len(self.rows(stopped, name)), count, name)
+        # means are those since the resume; the file has six digits
+        pressures = [row[1] for row in self.rows(stopped, "probes/*/p")][10:]
+        self.assertAlmostEqual(self.rows(stopped, "probes/*/pMean")[-1][1], sum(pressures) / 10, delta=1e-6 * pressures[-1])
+
+        shutil.rmtree(os.path.join(stopped, "checkpoints/0.02"))
+        again = self.run_case(stopped, options=["-resume"])
+        self.assertIn("what function objects wrote from t = 0.01 s on is in postProcessing-beyond-0.01/", again.err)
+        for file in ("probes/0.01/p", "flow/0.01/surfaceFieldValue.dat"):
+            self.assertEqual(support.read(stopped, "postProcessing", file), support.read(stopped, "postProcessing-beyond-0.01", file))
 
 
 if __name__ == "__main__":

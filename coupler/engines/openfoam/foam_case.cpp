@@ -17,6 +17,7 @@
 #include "OSspecific.H"
 #include "Time.H"
 #include "argList.H"
+#include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "engines/openfoam/decomposition.hpp"
 #include "engines/openfoam/foam_dictionary.hpp"
@@ -27,6 +28,7 @@
 #include "engines/openfoam/listening_output.hpp"
 #include "engines/openfoam/patch_conditions.hpp"
 #include "engines/openfoam/pimple_gas.hpp"
+#include "engines/openfoam/resumed_functions.hpp"
 #include "engines/openfoam/unsolved_files.hpp"
 #include "error.H"
 #include "foamVersion.H"
@@ -256,7 +258,7 @@ double FoamCase::largest_gas_step() const
 bool FoamCase::running()
 {
     bool more = false;
-    with_foam_errors([&] { more = run_with_function_objects(*parts_->time); },
+    with_foam_errors([&] { more = run_with_function_objects(*parts_->time, resumes()); },
                      [&](const std::string& message) { return failing_function(*parts_->time, message); });
     return more;
 }
@@ -279,15 +281,24 @@ void FoamCase::write()
 
 void FoamCase::keep(Archive& archive) { keep_time(archive, *parts_->time); }
 
-std::string FoamCase::sums_lost() const
+std::vector<Problem> FoamCase::go_on()
 {
-    const Foam::dictionary* functions = parts_->time->controlDict().findDict("functions");
-    std::string names;
-    if (!functions) return names;
-    for (const Foam::word& name : functions->toc())
-        names += (names.empty() ? "" : ", ") + name;
-    return names;
+    start_functions_here(*parts_->time);
+    std::vector<Problem> told;
+    if (!Foam::Pstream::master()) return told;
+    try {
+        const std::string aside = put_later_output_aside(*parts_->time);
+        if (!aside.empty())
+            told.push_back({"what function objects wrote from t = " + text(time()) + " s on is in " + aside + "/",
+                            "postProcessing/", "none is needed: the run makes it again"});
+    } catch (const std::exception& error) {
+        throw UserError("what function objects wrote cannot be put aside: " + std::string(error.what()),
+                        "postProcessing/", "give the right to write there, or move it away");
+    }
+    return told;
 }
+
+std::string FoamCase::sums_lost() const { return functions_with_sums(*parts_->time); }
 
 EngineWarnings* FoamCase::warnings() { return &parts_->output->warnings(); }
 

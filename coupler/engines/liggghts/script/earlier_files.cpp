@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "base/free_name.hpp"
 #include "base/text.hpp"
 #include "engines/liggghts/script/last_words.hpp"
 
@@ -65,15 +66,6 @@ EarlierFiles::~EarlierFiles()
     std::error_code ignored;
     for (const Moved& moved : moved_)
         fs::rename(moved.aside, moved.name, ignored);
-}
-
-std::string free_name(const std::string& file, const std::string& words)
-{
-    const std::string name = file + "-" + words;
-    std::string numbered = name;
-    for (int number = 2; fs::exists(numbered); ++number)
-        numbered = name + "-" + std::to_string(number);
-    return numbered;
 }
 
 }  // namespace interphase

@@ -47,7 +47,4 @@ private:
     std::vector<Moved> moved_;
 };
 
-/// `file`-`words`, or with a number behind where that is taken.
-std::string free_name(const std::string& file, const std::string& words);
-
 }  // namespace interphase

@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/free_name.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "dump.h"
-#include "engines/liggghts/script/earlier_files.hpp"
 #include "lammps.h"
 #include "output.h"
 #include "update.h"
