@@ -25,7 +25,7 @@ EarlierFiles* watched = nullptr;
 
 EarlierFiles::Watch::Watch(EarlierFiles& files)
 {
-    if (files.resumes_) watched = &files;
+    if (files.goes_on_) watched = &files;
 }
 
 EarlierFiles::Watch::~Watch() { watched = nullptr; }

@@ -17,8 +17,8 @@ namespace interphase {
 /// refused leaves all as it was.
 class EarlierFiles {
 public:
-    /// `resumes`: whether the run goes on from another. A run that does not, writes over what there is.
-    explicit EarlierFiles(bool resumes) : resumes_(resumes) {}
+    /// `goes_on`: whether the run goes on from another. A run that does not, writes over what there is.
+    explicit EarlierFiles(bool goes_on) : goes_on_(goes_on) {}
     ~EarlierFiles();
     EarlierFiles(const EarlierFiles&) = delete;
     EarlierFiles& operator=(const EarlierFiles&) = delete;
@@ -43,7 +43,7 @@ private:
         std::string name, aside;
     };
 
-    bool resumes_;
+    bool goes_on_;
     std::vector<Moved> moved_;
 };
 

@@ -175,18 +175,18 @@ std::optional<WholeFrames> whole_frames(std::istream& text, std::int64_t last_st
     return std::nullopt;
 }
 
-std::vector<Problem> go_on_dumping(LAMMPS_NS::LAMMPS& lmp, double time)
+std::vector<Problem> go_on_dumping(LAMMPS_NS::LAMMPS& lmp, double time, bool resumed)
 {
+    const std::int64_t last_step = lmp.update->ntimestep - (resumed ? 0 : 1);
     std::vector<Problem> told;
     LAMMPS_NS::Output& output = *lmp.output;
     for (int n = 0; n < output.ndump; ++n) {
-        output.last_dump[n] = lmp.update->ntimestep;
+        if (resumed) output.last_dump[n] = last_step;
         const std::optional<std::string> file = OpenDump::file(*output.dump[n]);
         std::error_code none;
         if (!file || !fs::is_regular_file(*file, none) || fs::file_size(*file, none) == 0) continue;
         try {
-            if (const auto problem = go_on_with(*output.dump[n], *file, lmp.update->ntimestep, time))
-                told.push_back(*problem);
+            if (const auto problem = go_on_with(*output.dump[n], *file, last_step, time)) told.push_back(*problem);
         } catch (const fs::filesystem_error& error) {
             throw UserError(
                 "the file of dump " + std::string(output.dump[n]->id) + " cannot be readied to go on: " + error.what(),

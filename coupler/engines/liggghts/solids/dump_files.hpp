@@ -26,8 +26,8 @@ std::optional<WholeFrames> whole_frames(std::istream& text, std::int64_t last_st
 
 /// Before LIGGGHTS's init(), in a run that goes on from `time` [s] at the present step: dumps into one file go on
 /// behind the frames that it has. Later frames, which the run makes again, are put into a file beside it; where dumps
-/// of a style cannot go on, all of the file is. No dump writes at the start: what it would write was written before.
-/// What there is to be told of this rank's files.
-std::vector<Problem> go_on_dumping(LAMMPS_NS::LAMMPS& lmp, double time);
+/// of a style cannot go on, all of the file is. `resumed`: what a dump would write at the start was written before;
+/// elsewhere it is written anew. What there is to be told of this rank's files.
+std::vector<Problem> go_on_dumping(LAMMPS_NS::LAMMPS& lmp, double time, bool resumed);
 
 }  // namespace interphase

@@ -19,6 +19,7 @@
 #include "engines/liggghts/solids/fix_population.hpp"
 #include "engines/liggghts/solids/particle_state.hpp"
 #include "engines/liggghts/solids/scene_checks.hpp"
+#include "engines/liggghts/solids/start_time.hpp"
 #include "engines/liggghts/solids/weight_property.hpp"
 #include "fix_gravity.h"
 #include "force.h"
@@ -56,8 +57,8 @@ void set_last_step(LAMMPS_NS::Update& update, LAMMPS_NS::bigint last)
 
 }  // namespace
 
-LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& settings, bool resumes)
-    : comm_(comm), settings_(settings), earlier_(resumes)
+LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& settings, LaterStart later)
+    : comm_(comm), settings_(settings), later_(later), earlier_(later.is_one())
 {
     const EarlierFiles::Watch watching(earlier_);
     std::vector<std::string> words{"liggghts", "-screen", LastWords::log_name, "-log", "none", "-echo", "screen"};
@@ -139,14 +140,14 @@ double LiggghtsSolids::smallest_diameter() const
 void LiggghtsSolids::go_on_from(Archive& kept, double time)
 {
     kept_ = &kept;
-    kept_time_ = time;
+    later_.time = time;
 }
 
 std::vector<Problem> LiggghtsSolids::remarks()
 {
     std::vector<Problem> all = remarks_->now();
-    all.insert(all.end(), of_files_.begin(), of_files_.end());
-    of_files_.clear();
+    all.insert(all.end(), told_.begin(), told_.end());
+    told_.clear();
     return all;
 }
 
@@ -162,9 +163,13 @@ void LiggghtsSolids::start(double solid_step, long steps, bool with_gas)
     if (with_gas) fluid_ = add_fix<FixFluid>(*lmp_, "interphase");  // the last one: it answers to all other forces
 
     // what `run` does before its loop, so that the loop can be continued at any length without setting up again
-    if (kept_) {
+    if (kept_)
         kept_->within("solids", [this] { take_up_step(*lmp_, *kept_); });
-        of_files_ = go_on_dumping(*lmp_, kept_time_);
+    else if (const auto told = start_particles_at(*lmp_, later_.time, solid_step, settings_))
+        told_.push_back(*told);
+    if (later_.is_one()) {
+        const std::vector<Problem> told = go_on_dumping(*lmp_, later_.time, kept_ != nullptr);
+        told_.insert(told_.end(), told.begin(), told.end());
     }
     LAMMPS_NS::Update& update = *lmp_->update;
     update.whichflag = 1;
@@ -182,7 +187,7 @@ void LiggghtsSolids::start(double solid_step, long steps, bool with_gas)
 
     if (auto* fix = dynamic_cast<LAMMPS_NS::FixGravity*>(lmp_->modify->find_fix_style("gravity", 0)))
         fix->get_gravity(gravity_.data());
-    if (const auto told = kept_ ? earlier_.keep(kept_time_) : std::nullopt) of_files_.push_back(*told);
+    if (const auto told = earlier_.keep(later_.time)) told_.push_back(*told);
 }
 
 /// A run that goes on has no output before its particles are the kept ones (keep()).

@@ -23,12 +23,19 @@ namespace interphase {
 class FixFluid;
 class FixPopulation;
 
+/// How a run starts that is not the first in its case.
+struct LaterStart {
+    double time = 0;       ///< of the gas's first fields [s]
+    bool resumes = false;  ///< from a checkpoint: go_on_from() will follow
+    bool is_one() const { return resumes || time > 0; }
+};
+
 /// LIGGGHTS, unmodified, as the engine of the particles.
 class LiggghtsSolids : public ParticleEngine {
 public:
     /// Runs the case's script (in the current folder). An error in it ends the program, with LIGGGHTS's own words and
-    /// the line it choked on. `resumes`: go_on_from() will follow, and files of the run before stay. Collective.
-    LiggghtsSolids(const Communicator& comm, const Settings& settings, bool resumes = false);
+    /// the line it choked on. `later`: files of the run before stay. Collective.
+    LiggghtsSolids(const Communicator& comm, const Settings& settings, LaterStart later = {});
     ~LiggghtsSolids() override;
 
     std::optional<double> contact_duration() const override { return contact_duration_; }
@@ -69,8 +76,9 @@ private:
 
     Communicator comm_;
     const Settings& settings_;
+    LaterStart later_;
     EarlierFiles earlier_;
-    std::vector<Problem> of_files_;  ///< to be told
+    std::vector<Problem> told_;  ///< to be, of the start
     EngineWarnings warnings_{"LIGGGHTS", LastWords::log_name};
     std::unique_ptr<ListeningScreen> screen_;
     LAMMPS_NS::LAMMPS* lmp_ = nullptr;
@@ -84,7 +92,6 @@ private:
     Vector gravity_ = Vector::Zero();
     std::unique_ptr<SceneRemarks> remarks_;
     Archive* kept_ = nullptr;             ///< that this run is to go on from
-    double kept_time_ = 0;                ///< [s]
     std::vector<SpheresToCome> to_come_;  ///< at the start
 };
 
