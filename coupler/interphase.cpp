@@ -39,7 +39,8 @@ int couple(int argc, char** argv)
     CoupledRun run(
         gas_case,
         [&gas_case](const Communicator& comm, const Settings& settings) {
-            return std::make_unique<LiggghtsSolids>(comm, settings, LaterStart{gas_case.time(), gas_case.resumes()});
+            return std::make_unique<LiggghtsSolids>(comm, settings,
+                                                    LaterStart{gas_case.time(), gas_case.options().resumes});
         },
         gas_case.options());
     return run.run();

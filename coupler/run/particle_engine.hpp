@@ -16,11 +16,19 @@
 
 namespace interphase {
 
+/// A plug-in that was loaded.
+struct PluginBuild {
+    std::string name, file;
+    std::string sha256;  ///< of the file
+};
+
 /// The engine of the particles, after it has read the case's script.
 class ParticleEngine : public Solids {
 public:
     virtual std::string version() const = 0;  ///< its name and version
     virtual std::string plugins() const = 0;  ///< those loaded, with their styles; "none"
+
+    virtual std::vector<PluginBuild> plugin_builds() const { return {}; }
 
     /// The shortest collision time t_c [s], where the contact model tells.
     virtual std::optional<double> contact_duration() const = 0;

@@ -12,6 +12,8 @@ import shutil
 import sys
 import unittest
 
+import numpy
+
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 
 import support  # noqa: E402
@@ -109,6 +111,31 @@ class ResumedFiles(support.ProgramTest):
             rows = [[line for line in support.read(stopped, file).splitlines() if line[0] != "#"] for file in (name + "-until-0.01", name)]
             self.assertEqual(rows[0] + rows[1], [line for line in support.read(straight, name).splitlines() if line[0] != "#"], name)
             self.assertIn(name + "-until-0.01", done.err)
+
+    def test_what_is_written_may_change(self):
+        """Told by name, and as it is now from there on; so may comments and layout."""
+        _, stopped = self.pair("")
+        self.set_entry(stopped, "system/controlDict", "endTime", self.stop)
+        self.run_case(stopped)
+        self.set_entry(stopped, "system/controlDict", "endTime", self.end)
+        self.set_entry(stopped, "system/controlDict", "writeInterval", 0.004)
+        self.edit(stopped, "system/couplingDict", "^    interval .*$", "    interval 0.002;")
+        self.edit(stopped, "constant/transportProperties", "$", "// seen again\n")
+        script = os.path.join(stopped, "dem/in.liggghts")
+        support.write(script, support.read(script).replace("thermo          100000", "thermo 1000 # more often") + DUMPS)
+        done = self.run_case(stopped, options=["-resume"])
+        self.assertRegex(done.err, r"the case has changed, and is taken as it is now:\n(    .*\n)*"
+                                   r"    dem/in.liggghts: `dump [^`]*` is new, .*`thermo 1000` is new, `thermo 100000` is gone\n(    .*\n)*"
+                                   r"    system/controlDict, writeInterval: 0.004, and was 0.1\n(    .*\n)*"
+                                   r"    system/couplingDict, records/interval: 0.002, and was 0.001\n")  # fmt: skip
+        self.assertNotIn("transportProperties", done.err)
+        written = {float(name) for name in os.listdir(stopped) if re.fullmatch(r"0\.\d+", name)}
+        self.assertEqual(written, {0.01, 0.012, 0.016, 0.02})
+        with done.results() as results:
+            steps = numpy.diff(results["/series/time"][:])
+        self.assertAlmostEqual(steps[0], 0.001, delta=1e-9)
+        self.assertAlmostEqual(steps[-1], 0.002, delta=1e-9)
+        self.assertEqual(re.findall(r"ITEM: TIMESTEP\n(\d+)", support.read(stopped, "dem/whole.txt"))[:2], ["2100", "2200"])
 
     def rows(self, folder, name):
         """Those of all parts: numbers."""

@@ -189,7 +189,7 @@ FoamCase::FoamCase(int& argc, char**& argv) : parts_(std::make_unique<Parts>())
     Foam::FatalError.throwExceptions();
     Foam::FatalIOError.throwExceptions();
     std::filesystem::current_path(std::string(parts_->args->globalPath()));
-    parts_->output.emplace(Foam::UPstream::master(), resumes());
+    parts_->output.emplace(Foam::UPstream::master(), options().resumes);
     with_foam_errors([this] {
         const Foam::fileName root = parts_->args->globalPath();
         parts_->time = std::make_unique<Foam::Time>(Foam::Time::controlDictName, *parts_->args);
@@ -258,7 +258,7 @@ double FoamCase::largest_gas_step() const
 bool FoamCase::running()
 {
     bool more = false;
-    with_foam_errors([&] { more = run_with_function_objects(*parts_->time, resumes()); },
+    with_foam_errors([&] { more = run_with_function_objects(*parts_->time, options().resumes); },
                      [&](const std::string& message) { return failing_function(*parts_->time, message); });
     return more;
 }
@@ -283,7 +283,7 @@ void FoamCase::keep(Archive& archive) { keep_time(archive, *parts_->time); }
 
 std::vector<Problem> FoamCase::go_on()
 {
-    start_functions_here(*parts_->time);
+    start_here(*parts_->time);
     std::vector<Problem> told;
     if (!Foam::Pstream::master()) return told;
     try {

@@ -57,6 +57,7 @@ struct OpenTime : Foam::Time {
     static void keep(Archive& archive, Foam::Time& time)
     {
         archive.keep("write_index", time.*(&OpenTime::writeTimeIndex_));
+        archive.keep("start", time.*(&OpenTime::startTime_));
         archive.keep("step", time.*(&OpenTime::deltaT_));
         archive.keep("step_before", time.*(&OpenTime::deltaT0_));
         archive.keep("step_saved", time.*(&OpenTime::deltaTSave_));

@@ -35,6 +35,14 @@ template struct Opened<ExecutionIndex, &Foam::timeControl::executionIndex_>;
 struct OpenTime : Foam::Time {
     static Foam::label& start_index(Foam::Time& time) { return time.*(&OpenTime::startTimeIndex_); }
     static Foam::scalar& start(Foam::Time& time) { return time.*(&OpenTime::startTime_); }
+    /// As many as there would have been with the interval that is given now; other clocks begin with the program.
+    static void count_writes(Foam::Time& time)
+    {
+        const writeControls control = time.*(&OpenTime::writeControl_);
+        const bool by_time = control == wcRunTime || control == wcAdjustableRunTime;
+        const double since = time.value() - start(time) + 0.5 * time.deltaTValue();
+        time.*(&OpenTime::writeTimeIndex_) = by_time ? Foam::label(since / (time.*(&OpenTime::writeInterval_))) : 0;
+    }
     /// How many times fields have been due.
     static Foam::label writes(const Foam::Time& time)
     {
@@ -110,7 +118,11 @@ const std::set<std::string> without_sums{"CourantNo",
 
 }  // namespace
 
-void start_functions_here(Foam::Time& time) { OpenTime::start_index(time) = time.timeIndex(); }
+void start_here(Foam::Time& time)
+{
+    OpenTime::start_index(time) = time.timeIndex();
+    OpenTime::count_writes(time);
+}
 
 bool make_functions_here(Foam::Time& time)
 {

@@ -117,6 +117,15 @@ EngineWarnings* LiggghtsSolids::warnings()
     return &warnings_;
 }
 
+std::vector<PluginBuild> LiggghtsSolids::plugin_builds() const
+{
+    std::vector<PluginBuild> all;
+    all.reserve(plugins_.size());
+    for (const LoadedPlugin& plugin : plugins_)
+        all.push_back({plugin.name, plugin.file, plugin.sha256});
+    return all;
+}
+
 double LiggghtsSolids::largest_diameter() const
 {
     double radius = 0;

@@ -42,6 +42,7 @@ public:
     std::optional<double> rayleigh_time() const override { return rayleigh_time_; }
     std::optional<double> step_limit() const override { return step_limit_; }
     std::string plugins() const override { return described(plugins_); }
+    std::vector<PluginBuild> plugin_builds() const override;
     double largest_diameter() const override;
     double smallest_diameter() const override;
     void go_on_from(Archive& kept, double time) override;
