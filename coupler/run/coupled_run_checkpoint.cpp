@@ -110,10 +110,10 @@ void CoupledRun::go_on()
         report_.warn(problem.message());
     const auto tell = [this](const std::string& names, const std::string& what) {
         if (!names.empty())
-            report_.warn("what " + names + " of " + what + " may have summed up begins anew at t = " +
-                         text(case_.time()) + " s: a checkpoint does not hold it");
+            report_.warn("what " + names + " of " + what + " remember begins anew at t = " + text(case_.time()) +
+                         " s: a checkpoint does not hold it");
     };
-    tell(solids_->sums_lost(), settings_.script);
+    tell(solids_->memories_lost(), settings_.script);
     tell(case_.sums_lost(), "system/controlDict, functions,");
     kept_->state.keep("spent", spent_before_);
     report_.warn("the run goes on from " + kept_->path + "; what an earlier part of it recorded after t = " +

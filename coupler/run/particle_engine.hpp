@@ -53,8 +53,9 @@ public:
     /// Why the state of this scene cannot be kept, if it cannot.
     virtual std::optional<Problem> cannot_be_kept() const { return std::nullopt; }
 
-    /// What of the scene sums up over time and begins anew in a run that goes on, in words; empty where nothing does.
-    virtual std::string sums_lost() const { return {}; }
+    /// What of the scene remembers something that begins anew in a run that goes on, in words; empty where nothing
+    /// does.
+    virtual std::string memories_lost() const { return {}; }
 
     /// Between two advance(): all that the next ones depend on; what it gives back takes the place of all particles.
     /// Views of particles are no longer valid. Collective.

@@ -30,6 +30,10 @@ compute energy all ke
 fix words all print 100 "$n" file dem/words.txt screen no
 fix mean all ave/time 20 5 100 c_energy file dem/mean.txt
 """
+LIMITED = """\
+group none id 0
+fix slow none nve/limit absolute 0.001
+"""
 FUNCTIONS = """\
 functions
 {
@@ -104,9 +108,10 @@ class ResumedFiles(support.ProgramTest):
         self.assertTrue(before == [support.read(stopped, "dem", name) for name in names if name != "log.liggghts"])
 
     def test_other_files_stay(self):
-        straight, stopped = self.pair(PRINTS)
+        straight, stopped = self.pair(PRINTS + LIMITED)
         self.run_case(straight)
         done = self.resumed(stopped)
+        self.assertIn("what mean (ave/time: sums), slow (nve/limit: how often it has limited) of dem/in.liggghts remember begins anew", done.err)
         for name in ("dem/words.txt", "dem/mean.txt"):
             rows = [[line for line in support.read(stopped, file).splitlines() if line[0] != "#"] for file in (name + "-until-0.01", name)]
             self.assertEqual(rows[0] + rows[1], [line for line in support.read(straight, name).splitlines() if line[0] != "#"], name)

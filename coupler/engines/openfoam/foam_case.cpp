@@ -279,13 +279,22 @@ void FoamCase::write()
     parts_->output->flush();
 }
 
-void FoamCase::keep(Archive& archive) { keep_time(archive, *parts_->time); }
+void FoamCase::keep(Archive& archive)
+{
+    keep_time(archive, *parts_->time);
+    archive.keep("warnings", parts_->output->warnings());
+}
 
 std::vector<Problem> FoamCase::go_on()
 {
     start_here(*parts_->time);
     std::vector<Problem> told;
     if (!Foam::Pstream::master()) return told;
+    if (parts_->mesh)
+        for (const std::string& condition : conditions_not_kept(*parts_->mesh))
+            told.push_back({condition + ": its random numbers begin anew at t = " + text(time()) +
+                                " s, a checkpoint does not hold them",
+                            "the boundary conditions", "none is needed where they have no memory of long ago"});
     try {
         const std::string aside = put_later_output_aside(*parts_->time);
         if (!aside.empty())

@@ -9,6 +9,7 @@
 #include "IStringStream.H"
 #include "OStringStream.H"
 #include "base/user_error.hpp"
+#include "engines/openfoam/inlet_random.hpp"
 #include "engines/openfoam/moved_condition.hpp"
 
 namespace interphase {
@@ -289,10 +290,10 @@ void GasState::keep_conditions(GeometricField<Type, fvPatchField, volMesh>& fiel
             std::string text;
             if (!archive_.loads()) text = written(boundary[patch]);
             archive_.keep(name, text);
-            if (!archive_.loads()) continue;
-            dict = read(text);
+            if (archive_.loads()) dict = read(text);
         }
-        boundary.set(patch, fvPatchField<Type>::New(own, field.internalField(), dict));
+        if (archive_.loads()) boundary.set(patch, fvPatchField<Type>::New(own, field.internalField(), dict));
+        keep_random_numbers(archive_, "random " + std::to_string(patch), boundary[patch]);
     }
 }
 

@@ -17,6 +17,7 @@
 #include "engines/liggghts/solids/elastic_spheres.hpp"
 #include "engines/liggghts/solids/fix_fluid.hpp"
 #include "engines/liggghts/solids/fix_population.hpp"
+#include "engines/liggghts/solids/fix_states.hpp"
 #include "engines/liggghts/solids/particle_state.hpp"
 #include "engines/liggghts/solids/scene_checks.hpp"
 #include "engines/liggghts/solids/start_time.hpp"
@@ -226,7 +227,7 @@ void LiggghtsSolids::end_after(long steps)
 
 std::optional<Problem> LiggghtsSolids::cannot_be_kept() const { return unkept_state(*lmp_, settings_.script); }
 
-std::string LiggghtsSolids::sums_lost() const { return sums_not_kept(*lmp_); }
+std::string LiggghtsSolids::memories_lost() const { return memories_not_kept(*lmp_, plugins_); }
 
 void LiggghtsSolids::keep(Archive& archive)
 {
@@ -239,6 +240,7 @@ void LiggghtsSolids::keep(Archive& archive)
         take_particle_state(*lmp_, archive);
     population_->begin_anew();
     archive.keep("remarks", *remarks_);
+    archive.keep("warnings", warnings_);
 }
 
 ParticleView LiggghtsSolids::particles()

@@ -49,7 +49,7 @@ public:
     void start(double solid_step, long steps, bool with_gas) override;
     void end_after(long steps) override;
     std::optional<Problem> cannot_be_kept() const override;
-    std::string sums_lost() const override;
+    std::string memories_lost() const override;
     void keep(Archive& archive) override;
 
     ParticleView particles() override;
