@@ -38,8 +38,9 @@ int couple(int argc, char** argv)
     FoamCase gas_case(argc, argv);
     CoupledRun run(
         gas_case,
-        [](const Communicator& comm, const Settings& settings) {
-            return std::make_unique<LiggghtsSolids>(comm, settings);
+        [&gas_case](const Communicator& comm, const Settings& settings) {
+            return std::make_unique<LiggghtsSolids>(comm, settings,
+                                                    LaterStart{gas_case.time(), gas_case.options().resumes});
         },
         gas_case.options());
     return run.run();

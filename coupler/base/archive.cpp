@@ -16,6 +16,14 @@ Archive Archive::loading(const Communicator& comm, int parts, std::map<int, Stat
     return archive;
 }
 
+bool Archive::has(const std::string& name) const
+{
+    if (same_ranks()) return state_.count(prefix_ + name) > 0;
+    int there = comm_->is_master() && others_.at(0).count(prefix_ + name) > 0 ? 1 : 0;
+    MPI_Bcast(&there, 1, MPI_INT, 0, comm_->handle());
+    return there != 0;
+}
+
 void Archive::whole_in_pieces(int part, const std::string& whole_name, std::size_t most,
                               const std::function<void(const std::vector<char>&)>& take) const
 {

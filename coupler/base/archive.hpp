@@ -64,6 +64,9 @@ public:
     /// of that run on rank r of `comm`.
     static Archive loading(const Communicator& comm, int parts, std::map<int, State> mine);
 
+    /// Whether something of this name was taken in, by the first rank where the ranks are others. Collective.
+    bool has(const std::string& name) const;
+
     /// Whether it gives back.
     bool loads() const { return loads_; }
 

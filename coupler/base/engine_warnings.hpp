@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "base/communicator.hpp"
 
 namespace interphase {
@@ -29,6 +30,9 @@ public:
 
     /// Those that have come up on this rank since the last call of news(), where not all ranks can be asked.
     const std::vector<std::string>& own_news() const { return fresh_; }
+
+    /// Their number; kinds that were told are told again in a run that goes on.
+    void keep(Archive& archive) { archive.keep_share("heard", heard_); }
 
     /// How often a warning was heard so far, of all ranks. Collective.
     long count(const Communicator& comm) const { return comm.sum(heard_); }

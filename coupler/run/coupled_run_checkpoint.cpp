@@ -1,43 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A run's state: when it is written, and how a run goes on from it.
-#include <filesystem>
-#include <regex>
-#include <sstream>
-
-#include "base/sha256.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "base/version.hpp"
 #include "records/case_inputs.hpp"
+#include "run/case_facts.hpp"
 #include "run/coupled_run.hpp"
 
 namespace interphase {
 
 namespace {
 
-/// The end may be another when a run goes on.
-std::string without_end(const InputFile& file)
+std::string in_lines(const std::vector<std::string>& all)
 {
-    std::istringstream lines(*file.text);
-    std::string rest;
-    for (std::string line; std::getline(lines, line);) {
-        std::istringstream words(line);
-        std::string first;
-        words >> first;
-        if (first != "endTime") rest += line + '\n';
-    }
-    return rest;
+    std::string words;
+    for (const std::string& each : all)
+        words += "\n    " + each;
+    return words;
 }
-
-/// "name (path: styles), ..." without the paths: a build may be moved.
-std::string without_places(const std::string& plugins)
-{
-    return std::regex_replace(plugins, std::regex("\\([^():]*: "), "(");
-}
-
-constexpr const char* cuts = "file system/decomposeParDict";  // may be others
-
-const char* const control = "system/controlDict";
 
 }  // namespace
 
@@ -47,16 +27,13 @@ Checkpoints::Facts CoupledRun::facts() const
     if (!comm_.is_master()) return all;
     all = {{"version", name_and_number(this_version())},
            {"engines", solids_->version() + ", " + case_.engine()},
-           {"plug-ins", without_places(solids_->plugins())},
            {"solid step", text(clock_.solid_step()) + " s"}};
-    for (const InputFile& file : case_inputs(".", settings_.script, settings_.variables)) {
-        std::string words = file.sha256 + " of " + text(static_cast<double>(file.bytes)) + " bytes";
-        if (file.path == control && file.text) {
-            std::istringstream rest(without_end(file));
-            words = sha256(rest);
-        }
-        all.emplace_back("file " + file.path, words);
+    for (const PluginBuild& plugin : solids_->plugin_builds()) {
+        all.emplace_back("plug-in " + plugin.name, plugin.sha256);
+        all.emplace_back("place of plug-in " + plugin.name, plugin.file);
     }
+    for (auto& fact : facts_of(case_inputs(".", settings_.script, settings_.variables)))
+        all.push_back(std::move(fact));
     return all;
 }
 
@@ -64,30 +41,15 @@ void CoupledRun::refuse_other_run(const Checkpoints::Found& found) const
 {
     std::optional<Problem> problem;
     if (comm_.is_master()) {
-        const Checkpoints::Facts here = facts();
-        std::string differences;
-        const auto tell = [&](const std::string& words) { differences += "\n    " + words; };
-        const auto value = [](const Checkpoints::Facts& of, const std::string& name) -> std::optional<std::string> {
-            for (const auto& [key, words] : of)
-                if (key == name) return words;
-            return std::nullopt;
-        };
-        for (const auto& [name, then] : found.facts) {
-            if (name == cuts) continue;
-            const auto now = value(here, name);
-            const bool is_file = name.rfind("file ", 0) == 0;
-            if (!now)
-                tell(name + " is gone");
-            else if (*now != then)
-                tell(is_file ? name + " has changed" : name + ": " + *now + ", and was " + then);
-        }
-        for (const auto& [name, now] : here)
-            if (name != cuts && !value(found.facts, name)) tell(name + " is new");
-        if (!differences.empty())
-            problem =
-                Problem{"the case is not as it was when " + found.path + " was written:" + differences, "the case",
-                        "put that back (endTime of system/controlDict may change), or start anew, without "
-                        "-resume"};
+        const FactDifferences differ = differences(found.facts, facts());
+        if (!differ.refused.empty())
+            problem = Problem{
+                "the case is not as it was when " + found.path + " was written:" + in_lines(differ.refused), "the case",
+                "put that back (when the run ends and what it writes may change), or start anew, without "
+                "-resume"};
+        else if (!differ.told.empty())
+            report_.warn("since " + found.path +
+                         " was written the case has changed, and is taken as it is now:" + in_lines(differ.told));
     }
     comm_.fail_together(problem);
 }
@@ -105,7 +67,7 @@ void CoupledRun::find_checkpoint()
     if (const auto problem = solids_->cannot_be_kept()) throw UserError(*problem);
     refuse_other_run(*kept_);
     kept_->state.within("case", [this] { case_.keep(kept_->state); });
-    solids_->go_on_from(kept_->state);
+    solids_->go_on_from(kept_->state, kept_->time);
 }
 
 void CoupledRun::make_way_for_checkpoints(bool overwrites) const
@@ -144,12 +106,14 @@ void CoupledRun::go_on()
         throw UserError(kept_->path + " does not fit the case: " + error.what(), "the case",
                         "start anew, without -resume");
     }
+    for (const Problem& problem : case_.go_on())
+        report_.warn(problem.message());
     const auto tell = [this](const std::string& names, const std::string& what) {
         if (!names.empty())
-            report_.warn("what " + names + " of " + what + " may have summed up begins anew at t = " +
-                         text(case_.time()) + " s: a checkpoint does not hold it");
+            report_.warn("what " + names + " of " + what + " remember begins anew at t = " + text(case_.time()) +
+                         " s: a checkpoint does not hold it");
     };
-    tell(solids_->sums_lost(), settings_.script);
+    tell(solids_->memories_lost(), settings_.script);
     tell(case_.sums_lost(), "system/controlDict, functions,");
     kept_->state.keep("spent", spent_before_);
     report_.warn("the run goes on from " + kept_->path + "; what an earlier part of it recorded after t = " +

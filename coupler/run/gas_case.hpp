@@ -4,9 +4,11 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "base/archive.hpp"
 #include "base/engine_warnings.hpp"
+#include "base/problem.hpp"
 #include "run/case_gas.hpp"
 #include "settings/dictionary.hpp"
 #include "settings/settings.hpp"
@@ -46,6 +48,9 @@ public:
 
     /// Its clock.
     virtual void keep(Archive& archive) = 0;
+    /// The run goes on from where keep() has set the clock: before the first step, on all ranks. What there is to be
+    /// told, on the first.
+    virtual std::vector<Problem> go_on() { return {}; }
     /// What sums up over time and begins anew in a run that goes on, in words; empty where nothing does.
     virtual std::string sums_lost() const { return {}; }
 

@@ -16,11 +16,19 @@
 
 namespace interphase {
 
+/// A plug-in that was loaded.
+struct PluginBuild {
+    std::string name, file;
+    std::string sha256;  ///< of the file
+};
+
 /// The engine of the particles, after it has read the case's script.
 class ParticleEngine : public Solids {
 public:
     virtual std::string version() const = 0;  ///< its name and version
     virtual std::string plugins() const = 0;  ///< those loaded, with their styles; "none"
+
+    virtual std::vector<PluginBuild> plugin_builds() const { return {}; }
 
     /// The shortest collision time t_c [s], where the contact model tells.
     virtual std::optional<double> contact_duration() const = 0;
@@ -38,15 +46,16 @@ public:
     virtual double largest_diameter() const = 0;   ///< of the tracked spheres [m]. Collective.
     virtual double smallest_diameter() const = 0;  ///< of the tracked spheres [m]. Collective.
 
-    /// Before start(): this run is to go on from what keep() took in, as "solids", which follows start(). `kept`
-    /// outlives it.
-    virtual void go_on_from(Archive& kept) = 0;
+    /// Before start(): this run is to go on, at `time` [s], from what keep() took in, as "solids", which follows
+    /// start(). `kept` outlives it.
+    virtual void go_on_from(Archive& kept, double time) = 0;
 
     /// Why the state of this scene cannot be kept, if it cannot.
     virtual std::optional<Problem> cannot_be_kept() const { return std::nullopt; }
 
-    /// What of the scene sums up over time and begins anew in a run that goes on, in words; empty where nothing does.
-    virtual std::string sums_lost() const { return {}; }
+    /// What of the scene remembers something that begins anew in a run that goes on, in words; empty where nothing
+    /// does.
+    virtual std::string memories_lost() const { return {}; }
 
     /// Between two advance(): all that the next ones depend on; what it gives back takes the place of all particles.
     /// Views of particles are no longer valid. Collective.

@@ -22,7 +22,16 @@ public:
             next_ += interval_;
     }
 
-    void keep(Archive& archive) { archive.keep("next", next_); }
+    /// One that the saved state does not have begins anew; one whose interval is another now goes on from what was
+    /// done.
+    void keep(Archive& archive)
+    {
+        if (archive.loads() && !archive.has("next")) return;
+        double interval = interval_;
+        archive.keep("interval", interval);
+        archive.keep("next", next_);
+        if (interval != interval_) next_ += interval_ - interval;
+    }
 
 private:
     double interval_, next_;

@@ -28,8 +28,9 @@ struct Settings {
     std::vector<std::pair<std::string, std::string>> variables;  ///< handed to the script
     double solid_step = 0;                                       ///< given solid step [s]; 0: derived
     double steps_per_collision = 20;                             ///< S: solid step = t_c / S
-    double largest_overlap = 0;  ///< [tracked diameter]; above 0: solid step = that overlap at impact_speed
-    double impact_speed = 0;     ///< [m/s]
+    double largest_overlap = 0;    ///< [tracked diameter]; above 0: solid step = that overlap at impact_speed
+    double impact_speed = 0;       ///< [m/s]
+    double step_at_time_zero = 0;  ///< of LIGGGHTS's count
 
     GasModel gas = GasModel::pimple;
     bool two_way = true;  ///< whether the particles act on the gas

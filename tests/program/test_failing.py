@@ -134,6 +134,28 @@ class Failing(support.ProgramTest):
         log = support.read(folder, "dem/log.liggghts")
         self.assertRegex(log.rstrip("\n").split("\n")[-1], r"^ERROR: ")  # nothing follows
 
+    def test_script_without_gas(self):
+        """interphase-liggghts says the same, without the joke, on any number of ranks."""
+        always = os.path.join(self.root, "always.so")
+        subprocess.run(["cc", "-shared", "-fPIC", "-x", "c", "-", "-o", always], input="int rand(void) { return 0; }", text=True, check=True)
+        folder = self.scene()
+        script = support.read(folder, "dem/in.liggghts")
+        support.write(os.path.join(folder, "wrong.in"), script.replace("fix move all nve/sphere", "fix move all move/mesh"))
+        support.write(os.path.join(folder, "quits.in"), script + "quit\n")
+        runner = os.path.join(support.BUILD, "interphase-liggghts")
+        for ranks in (1, 2):
+            def run(name):
+                command = [*(() if ranks == 1 else ("mpirun", "-np", str(ranks), "--oversubscribe")), runner, "-in", name]
+                return subprocess.run(command, cwd=folder, env=support.environment(LD_PRELOAD=always), capture_output=True, timeout=60)
+
+            done = run("wrong.in")
+            self.assertEqual(done.returncode, 1)  # as the packaged program
+            text = done.stderr.decode("ascii")  # no bytes of other memory
+            self.assertRegex(text, r"interphase-liggghts: error: LIGGGHTS stopped:\n  \| ERROR: .*\(\S+\.cpp:\d+\)\n  remedy: .*\n")
+            self.assertRegex(support.read(folder, "log.liggghts").rstrip("\n").split("\n")[-1], "^ERROR: ")
+            quits = run("quits.in")
+            self.assertEqual((quits.returncode, quits.stderr.decode("ascii").count("ERROR")), (1, 0))  # likewise
+
     def test_script_that_quits(self):
         folder = self.scene()
         self.edit(folder, "dem/in.liggghts", "^fix move", "quit\nfix move")

@@ -131,7 +131,7 @@ public:
     std::optional<double> step_limit() const override { return limit; }
     double largest_diameter() const override { return diameter(); }
     double smallest_diameter() const override { return diameter(); }
-    void go_on_from(Archive&) override { throw std::logic_error("a fake engine keeps nothing"); }
+    void go_on_from(Archive&, double) override { throw std::logic_error("a fake engine keeps nothing"); }
     void keep(Archive&) override { throw std::logic_error("a fake engine keeps nothing"); }
     std::optional<Problem> cannot_be_kept() const override { return Problem{"a fake engine keeps nothing", "", ""}; }
     void start(double solid_step, long, bool) override { points_ = PointParticles(comm_, mine_, gravity_, solid_step); }

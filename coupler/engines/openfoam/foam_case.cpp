@@ -17,6 +17,7 @@
 #include "OSspecific.H"
 #include "Time.H"
 #include "argList.H"
+#include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "engines/openfoam/decomposition.hpp"
 #include "engines/openfoam/foam_dictionary.hpp"
@@ -27,6 +28,7 @@
 #include "engines/openfoam/listening_output.hpp"
 #include "engines/openfoam/patch_conditions.hpp"
 #include "engines/openfoam/pimple_gas.hpp"
+#include "engines/openfoam/resumed_functions.hpp"
 #include "engines/openfoam/unsolved_files.hpp"
 #include "error.H"
 #include "foamVersion.H"
@@ -36,13 +38,13 @@ namespace interphase {
 
 namespace {
 
-/// What OpenFOAM prints on the first rank goes to a file: the terminal is for the run's progress. Warnings are heard on
-/// all.
+/// What OpenFOAM prints on the first rank goes to a file, behind what it holds where a run goes on: the terminal is for
+/// the run's progress. Warnings are heard on all.
 class OutputToLog {
 public:
-    explicit OutputToLog(bool first_rank) : console_(std::cout.rdbuf())
+    OutputToLog(bool first_rank, bool goes_on) : console_(std::cout.rdbuf())
     {
-        if (first_rank) file_.open(warnings_.log());
+        if (first_rank) file_.open(warnings_.log(), goes_on ? std::ios::app : std::ios::trunc);
         output_.emplace(first_rank ? file_.rdbuf() : nullptr, warnings_);
         std::cout.rdbuf(&*output_);
     }
@@ -187,7 +189,7 @@ FoamCase::FoamCase(int& argc, char**& argv) : parts_(std::make_unique<Parts>())
     Foam::FatalError.throwExceptions();
     Foam::FatalIOError.throwExceptions();
     std::filesystem::current_path(std::string(parts_->args->globalPath()));
-    parts_->output.emplace(Foam::UPstream::master());
+    parts_->output.emplace(Foam::UPstream::master(), options().resumes);
     with_foam_errors([this] {
         const Foam::fileName root = parts_->args->globalPath();
         parts_->time = std::make_unique<Foam::Time>(Foam::Time::controlDictName, *parts_->args);
@@ -256,7 +258,7 @@ double FoamCase::largest_gas_step() const
 bool FoamCase::running()
 {
     bool more = false;
-    with_foam_errors([&] { more = run_with_function_objects(*parts_->time); },
+    with_foam_errors([&] { more = run_with_function_objects(*parts_->time, options().resumes); },
                      [&](const std::string& message) { return failing_function(*parts_->time, message); });
     return more;
 }
@@ -277,17 +279,35 @@ void FoamCase::write()
     parts_->output->flush();
 }
 
-void FoamCase::keep(Archive& archive) { keep_time(archive, *parts_->time); }
-
-std::string FoamCase::sums_lost() const
+void FoamCase::keep(Archive& archive)
 {
-    const Foam::dictionary* functions = parts_->time->controlDict().findDict("functions");
-    std::string names;
-    if (!functions) return names;
-    for (const Foam::word& name : functions->toc())
-        names += (names.empty() ? "" : ", ") + name;
-    return names;
+    keep_time(archive, *parts_->time);
+    archive.keep("warnings", parts_->output->warnings());
 }
+
+std::vector<Problem> FoamCase::go_on()
+{
+    start_here(*parts_->time);
+    std::vector<Problem> told;
+    if (!Foam::Pstream::master()) return told;
+    if (parts_->mesh)
+        for (const std::string& condition : conditions_not_kept(*parts_->mesh))
+            told.push_back({condition + ": its random numbers begin anew at t = " + text(time()) +
+                                " s, a checkpoint does not hold them",
+                            "the boundary conditions", "none is needed where they have no memory of long ago"});
+    try {
+        const std::string aside = put_later_output_aside(*parts_->time);
+        if (!aside.empty())
+            told.push_back({"what function objects wrote from t = " + text(time()) + " s on is in " + aside + "/",
+                            "postProcessing/", "none is needed: the run makes it again"});
+    } catch (const std::exception& error) {
+        throw UserError("what function objects wrote cannot be put aside: " + std::string(error.what()),
+                        "postProcessing/", "give the right to write there, or move it away");
+    }
+    return told;
+}
+
+std::string FoamCase::sums_lost() const { return functions_with_sums(*parts_->time); }
 
 EngineWarnings* FoamCase::warnings() { return &parts_->output->warnings(); }
 

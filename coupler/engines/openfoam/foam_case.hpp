@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "run/gas_case.hpp"
 #include "run/run_options.hpp"
@@ -42,6 +43,7 @@ public:
     void write() override;
 
     void keep(Archive& archive) override;
+    std::vector<Problem> go_on() override;
     std::string sums_lost() const override;  ///< of function objects
 
     EngineWarnings* warnings() override;

@@ -13,6 +13,7 @@
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "engines/openfoam/foam_errors.hpp"
+#include "engines/openfoam/resumed_functions.hpp"
 #include "functionObjectList.H"
 
 namespace interphase {
@@ -139,14 +140,14 @@ void refuse_what_was_not_made(const Foam::Time& time)
 
 }  // namespace
 
-bool run_with_function_objects(Foam::Time& time)
+bool run_with_function_objects(Foam::Time& time, bool goes_on)
 {
     if (time.timeIndex() != time.startTimeIndex()) return time.run();
     static const int registered = std::atexit(show_at_exit);
     static_cast<void>(registered);
     refuse_unfit(time);
     const MakingThem now;
-    const bool more = time.run();
+    const bool more = goes_on ? make_functions_here(time) : time.run();
     if (more) refuse_what_was_not_made(time);
     return more;
 }

@@ -9,6 +9,7 @@
 #include "IStringStream.H"
 #include "OStringStream.H"
 #include "base/user_error.hpp"
+#include "engines/openfoam/inlet_random.hpp"
 #include "engines/openfoam/moved_condition.hpp"
 
 namespace interphase {
@@ -57,6 +58,7 @@ struct OpenTime : Foam::Time {
     static void keep(Archive& archive, Foam::Time& time)
     {
         archive.keep("write_index", time.*(&OpenTime::writeTimeIndex_));
+        archive.keep("start", time.*(&OpenTime::startTime_));
         archive.keep("step", time.*(&OpenTime::deltaT_));
         archive.keep("step_before", time.*(&OpenTime::deltaT0_));
         archive.keep("step_saved", time.*(&OpenTime::deltaTSave_));
@@ -292,10 +294,10 @@ void GasState::keep_conditions(GeometricField<Type, fvPatchField, volMesh>& fiel
             std::string text;
             if (!archive_.loads()) text = written(boundary[patch]);
             archive_.keep(name, text);
-            if (!archive_.loads()) continue;
-            dict = read(text);
+            if (archive_.loads()) dict = read(text);
         }
-        boundary.set(patch, fvPatchField<Type>::New(own, field.internalField(), dict));
+        if (archive_.loads()) boundary.set(patch, fvPatchField<Type>::New(own, field.internalField(), dict));
+        keep_random_numbers(archive_, "random " + std::to_string(patch), boundary[patch]);
     }
 }
 

@@ -80,6 +80,17 @@ void refuse_unfit_conditions(const Foam::fvMesh& mesh)
     refuse_unfit<Foam::volVectorField>(mesh, "U", unfit_for_velocity);
 }
 
+std::vector<std::string> conditions_not_kept(const Foam::fvMesh& mesh)
+{
+    std::vector<std::string> found;
+    const auto* velocity = mesh.findObject<Foam::volVectorField>("U");
+    if (!velocity) return found;
+    for (const auto& patch : velocity->boundaryField())
+        for (const char* type : {"turbulentDFSEMInlet", "turbulentDigitalFilterInlet"})
+            if (patch.type() == type) found.push_back(std::string(type) + " of patch " + patch.patch().name());
+    return found;
+}
+
 std::string failing_condition(const Foam::fvMesh& mesh, const std::string& message)
 {
     if (!asks_for_what_is_not_there(message)) return "";

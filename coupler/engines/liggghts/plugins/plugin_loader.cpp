@@ -7,10 +7,12 @@
 
 #include <cctype>
 #include <cstdlib>
+#include <fstream>
 #include <map>
 #include <memory>
 #include <optional>
 
+#include "base/sha256.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "engines/liggghts/plugins/fix_registration.hpp"
@@ -66,7 +68,8 @@ public:
         if (!plugin.name || !*plugin.name || !plugin.styles || plugin.style_count == 0)
             throw UserError("the plug-in " + file + " has no name or brings no fix style", asked_by_,
                             "give INTERPHASE_PLUGIN a name and at least one style");
-        LoadedPlugin loaded{plugin.name, file, {}};
+        std::ifstream library(file, std::ios::binary);
+        LoadedPlugin loaded{plugin.name, file, sha256(library), {}};
         for (std::uint64_t i = 0; i < plugin.style_count; ++i) {
             take(plugin.styles[i], loaded);
             loaded.styles.emplace_back(plugin.styles[i].name);

@@ -15,6 +15,7 @@ namespace interphase {
 /// A plug-in whose fix styles LIGGGHTS knows. Its library stays in the process until the end.
 struct LoadedPlugin {
     std::string name, file;
+    std::string sha256;  ///< of the file, when it was loaded
     std::vector<std::string> styles;
 };
 

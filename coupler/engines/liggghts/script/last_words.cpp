@@ -28,6 +28,7 @@ namespace interphase {
 namespace {
 
 bool listening = false;
+bool natively = false;  // where nobody listens
 bool speaking = false;
 bool heard = false;
 std::string own_words;  // the end of what LIGGGHTS said on this rank, where it is not the one with the log
@@ -135,6 +136,9 @@ bool LastWords::heard_error() { return heard; }
 
 LastWords::~LastWords() { listening = speaking = false; }
 
+NativeWords::NativeWords() { natively = true; }
+NativeWords::~NativeWords() { natively = false; }
+
 namespace {
 
 /// What LIGGGHTS's own function, of which ours has taken the place, does where nobody listens.
@@ -148,9 +152,16 @@ void do_as_liggghts_does(const char* function, Arguments... arguments)
 
 /// An error as a UserError. LIGGGHTS would wait for all ranks first, for ever where only one has called it so, and
 /// where it is in the mood add a joke from memory that it has freed (error_special.h).
-[[noreturn]] void stop(std::FILE* screen, const std::string& words, bool in_run)
+[[noreturn]] void stop(std::FILE* screen, std::FILE* log, const std::string& words, bool in_run)
 {
     heard = true;
+    if (natively) {
+        std::fflush(screen);
+        if (log) std::fputs((words + "\n").c_str(), log);
+        std::fflush(log);
+        // exit code 1, as of the packaged program
+        throw UserError("LIGGGHTS stopped:\n  | " + words, "", "correct the script accordingly");
+    }
     if (screen) std::fputs((words + "\n").c_str(), screen);
     const Problem problem = last_words(in_run);
     listening = speaking = false;
@@ -180,43 +191,49 @@ std::string of_command(const char* kind, const char* style, const char* id, cons
 namespace LAMMPS_NS {
 
 using interphase::listening;
+using interphase::natively;
 
 void Error::all(const char* file, int line, const char* words)
 {
-    if (!listening) interphase::do_as_liggghts_does("_ZN9LAMMPS_NS5Error3allEPKciS2_", this, file, line, words);
-    interphase::stop(screen, interphase::placed(std::string("ERROR: ") + words, file, line), interphase::runs(update));
+    if (!listening && !natively)
+        interphase::do_as_liggghts_does("_ZN9LAMMPS_NS5Error3allEPKciS2_", this, file, line, words);
+    interphase::stop(screen, logfile, interphase::placed(std::string("ERROR: ") + words, file, line),
+                     interphase::runs(update));
 }
 
 void Error::one(const char* file, int line, const char* words)
 {
-    if (!listening) interphase::do_as_liggghts_does("_ZN9LAMMPS_NS5Error3oneEPKciS2_", this, file, line, words);
+    if (!listening && !natively)
+        interphase::do_as_liggghts_does("_ZN9LAMMPS_NS5Error3oneEPKciS2_", this, file, line, words);
     const std::string start = "ERROR on proc " + std::to_string(comm->me) + ": ";
-    interphase::stop(screen, interphase::placed(start + words, file, line), interphase::runs(update));
+    interphase::stop(screen, logfile, interphase::placed(start + words, file, line), interphase::runs(update));
 }
 
 void Error::fix_error(const char* file, int line, Fix* fix, const char* style, const char* words)
 {
-    if (!listening)
+    if (!listening && !natively)
         interphase::do_as_liggghts_does("_ZN9LAMMPS_NS5Error9fix_errorEPKciPNS_3FixES2_S2_", this, file, line, fix,
                                         style, words);
-    interphase::stop(screen, interphase::placed(interphase::of_command("Fix", style, fix->id, words), file, line),
+    interphase::stop(screen, logfile,
+                     interphase::placed(interphase::of_command("Fix", style, fix->id, words), file, line),
                      interphase::runs(update));
 }
 
 void Error::compute_error(const char* file, int line, Compute* compute, const char* words)
 {
-    if (!listening)
+    if (!listening && !natively)
         interphase::do_as_liggghts_does("_ZN9LAMMPS_NS5Error13compute_errorEPKciPNS_7ComputeES2_", this, file, line,
                                         compute, words);
     interphase::stop(
-        screen, interphase::placed(interphase::of_command("Compute", compute->style, compute->id, words), file, line),
+        screen, logfile,
+        interphase::placed(interphase::of_command("Compute", compute->style, compute->id, words), file, line),
         interphase::runs(update));
 }
 
 void Error::done()
 {
     if (!listening) interphase::do_as_liggghts_does("_ZN9LAMMPS_NS5Error4doneEv", this);
-    interphase::stop(screen, "ERROR: the script asked LIGGGHTS to quit", interphase::runs(update));
+    interphase::stop(screen, logfile, "ERROR: the script asked LIGGGHTS to quit", interphase::runs(update));
 }
 
 }  // namespace LAMMPS_NS

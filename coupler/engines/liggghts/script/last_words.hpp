@@ -27,4 +27,14 @@ public:
     LastWords& operator=(const LastWords&) = delete;
 };
 
+/// While one of these lives, without a coupled run, errors of LIGGGHTS are UserErrors with its words, which go to its
+/// log, too: LIGGGHTS itself may add a joke from memory that it has freed.
+class NativeWords {
+public:
+    NativeWords();
+    ~NativeWords();
+    NativeWords(const NativeWords&) = delete;
+    NativeWords& operator=(const NativeWords&) = delete;
+};
+
 }  // namespace interphase

@@ -2,10 +2,10 @@
 #include "engines/liggghts/script/native_run.hpp"
 
 #include <csignal>
-#include <memory>
 
 #include "base/communicator.hpp"
 #include "engines/liggghts/plugins/plugin_loader.hpp"
+#include "engines/liggghts/script/last_words.hpp"
 #include "input.h"
 #include "lammps.h"
 #include "signal_handling.h"
@@ -25,9 +25,12 @@ void run_natively(const std::vector<std::string>& arguments, const std::vector<s
     for (std::string& word : words)
         argv.push_back(word.data());
 
-    const auto lmp = std::make_unique<LAMMPS_NS::LAMMPS>(static_cast<int>(argv.size()), argv.data(), MPI_COMM_WORLD);
+    const NativeWords words_of_liggghts;
+    // an error leaves it in the middle of something: it cannot be closed then
+    auto* const lmp = new LAMMPS_NS::LAMMPS(static_cast<int>(argv.size()), argv.data(), MPI_COMM_WORLD);
     load_plugins(Communicator(), *lmp, plugins, "option -plugin");
     lmp->input->file();
+    delete lmp;
 }
 
 }  // namespace interphase

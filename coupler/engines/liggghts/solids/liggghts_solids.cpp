@@ -13,11 +13,14 @@
 #include "engines/liggghts/plugins/fix_registration.hpp"
 #include "engines/liggghts/script/last_words.hpp"
 #include "engines/liggghts/solids/contact_duration.hpp"
+#include "engines/liggghts/solids/dump_files.hpp"
 #include "engines/liggghts/solids/elastic_spheres.hpp"
 #include "engines/liggghts/solids/fix_fluid.hpp"
 #include "engines/liggghts/solids/fix_population.hpp"
+#include "engines/liggghts/solids/fix_states.hpp"
 #include "engines/liggghts/solids/particle_state.hpp"
 #include "engines/liggghts/solids/scene_checks.hpp"
+#include "engines/liggghts/solids/start_time.hpp"
 #include "engines/liggghts/solids/weight_property.hpp"
 #include "fix_gravity.h"
 #include "force.h"
@@ -55,8 +58,10 @@ void set_last_step(LAMMPS_NS::Update& update, LAMMPS_NS::bigint last)
 
 }  // namespace
 
-LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& settings) : comm_(comm), settings_(settings)
+LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& settings, LaterStart later)
+    : comm_(comm), settings_(settings), later_(later), earlier_(later.is_one())
 {
+    const EarlierFiles::Watch watching(earlier_);
     std::vector<std::string> words{"liggghts", "-screen", LastWords::log_name, "-log", "none", "-echo", "screen"};
     const auto pass = [&words](const std::string& name, const std::string& value) {
         words.insert(words.end(), {"-var", name, value});
@@ -113,6 +118,15 @@ EngineWarnings* LiggghtsSolids::warnings()
     return &warnings_;
 }
 
+std::vector<PluginBuild> LiggghtsSolids::plugin_builds() const
+{
+    std::vector<PluginBuild> all;
+    all.reserve(plugins_.size());
+    for (const LoadedPlugin& plugin : plugins_)
+        all.push_back({plugin.name, plugin.file, plugin.sha256});
+    return all;
+}
+
 double LiggghtsSolids::largest_diameter() const
 {
     double radius = 0;
@@ -133,9 +147,24 @@ double LiggghtsSolids::smallest_diameter() const
     return 2 * comm_.min(radius);
 }
 
+void LiggghtsSolids::go_on_from(Archive& kept, double time)
+{
+    kept_ = &kept;
+    later_.time = time;
+}
+
+std::vector<Problem> LiggghtsSolids::remarks()
+{
+    std::vector<Problem> all = remarks_->now();
+    all.insert(all.end(), told_.begin(), told_.end());
+    told_.clear();
+    return all;
+}
+
 void LiggghtsSolids::start(double solid_step, long steps, bool with_gas)
 {
     const LastWords of_liggghts(comm_.is_master());
+    const EarlierFiles::Watch watching(earlier_);
     char command[64];
     std::snprintf(command, sizeof command, "timestep %.17g", solid_step);
     lammps_command(lmp_, command);
@@ -144,7 +173,14 @@ void LiggghtsSolids::start(double solid_step, long steps, bool with_gas)
     if (with_gas) fluid_ = add_fix<FixFluid>(*lmp_, "interphase");  // the last one: it answers to all other forces
 
     // what `run` does before its loop, so that the loop can be continued at any length without setting up again
-    if (kept_) kept_->within("solids", [this] { take_up_step(*lmp_, *kept_); });
+    if (kept_)
+        kept_->within("solids", [this] { take_up_step(*lmp_, *kept_); });
+    else if (const auto told = start_particles_at(*lmp_, later_.time, solid_step, settings_))
+        told_.push_back(*told);
+    if (later_.is_one()) {
+        const std::vector<Problem> told = go_on_dumping(*lmp_, later_.time, kept_ != nullptr);
+        told_.insert(told_.end(), told.begin(), told.end());
+    }
     LAMMPS_NS::Update& update = *lmp_->update;
     update.whichflag = 1;
     update.firststep = update.beginstep = update.ntimestep;
@@ -152,8 +188,7 @@ void LiggghtsSolids::start(double solid_step, long steps, bool with_gas)
     lmp_->init();
     population_->watch(fluid_);
     const long before = comm_.sum(static_cast<long>(lmp_->atom->nlocal));
-    update.integrate->setup();
-    lmp_->timer->init();
+    set_up();
     const long lost = before - comm_.sum(static_cast<long>(lmp_->atom->nlocal));
     if (lost > 0)
         throw UserError(std::to_string(lost) + " of " + std::to_string(before) +
@@ -162,6 +197,19 @@ void LiggghtsSolids::start(double solid_step, long steps, bool with_gas)
 
     if (auto* fix = dynamic_cast<LAMMPS_NS::FixGravity*>(lmp_->modify->find_fix_style("gravity", 0)))
         fix->get_gravity(gravity_.data());
+    if (const auto told = earlier_.keep(later_.time)) told_.push_back(*told);
+}
+
+/// A run that goes on has no output before its particles are the kept ones (keep()).
+void LiggghtsSolids::set_up()
+{
+    if (kept_) {
+        lmp_->atom->setup();
+        lmp_->modify->setup_pre_exchange();
+        lmp_->update->integrate->setup_minimal(1);
+    } else
+        lmp_->update->integrate->setup();
+    lmp_->timer->init();
 }
 
 void LiggghtsSolids::end_after(long steps)
@@ -179,17 +227,20 @@ void LiggghtsSolids::end_after(long steps)
 
 std::optional<Problem> LiggghtsSolids::cannot_be_kept() const { return unkept_state(*lmp_, settings_.script); }
 
-std::string LiggghtsSolids::sums_lost() const { return sums_not_kept(*lmp_); }
+std::string LiggghtsSolids::memories_lost() const { return memories_not_kept(*lmp_, plugins_); }
 
 void LiggghtsSolids::keep(Archive& archive)
 {
     const LastWords of_liggghts(comm_.is_master());
-    if (archive.loads())
+    if (archive.loads()) {
         put_back_particle_state(*lmp_, archive, settings_.script);
-    else
+        if (kept_) lmp_->output->setup(0);  // which Integrate::setup() would have called
+        kept_ = nullptr;
+    } else
         take_particle_state(*lmp_, archive);
     population_->begin_anew();
     archive.keep("remarks", *remarks_);
+    archive.keep("warnings", warnings_);
 }
 
 ParticleView LiggghtsSolids::particles()

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engines/liggghts/plugins/plugin_loader.hpp"
+#include "engines/liggghts/script/earlier_files.hpp"
 #include "engines/liggghts/script/last_words.hpp"
 #include "engines/liggghts/script/listening_screen.hpp"
 #include "engines/liggghts/solids/insertions.hpp"
@@ -22,25 +23,33 @@ namespace interphase {
 class FixFluid;
 class FixPopulation;
 
+/// How a run starts that is not the first in its case.
+struct LaterStart {
+    double time = 0;       ///< of the gas's first fields [s]
+    bool resumes = false;  ///< from a checkpoint: go_on_from() will follow
+    bool is_one() const { return resumes || time > 0; }
+};
+
 /// LIGGGHTS, unmodified, as the engine of the particles.
 class LiggghtsSolids : public ParticleEngine {
 public:
     /// Runs the case's script (in the current folder). An error in it ends the program, with LIGGGHTS's own words and
-    /// the line it choked on. Collective.
-    LiggghtsSolids(const Communicator& comm, const Settings& settings);
+    /// the line it choked on. `later`: files of the run before stay. Collective.
+    LiggghtsSolids(const Communicator& comm, const Settings& settings, LaterStart later = {});
     ~LiggghtsSolids() override;
 
     std::optional<double> contact_duration() const override { return contact_duration_; }
     std::optional<double> rayleigh_time() const override { return rayleigh_time_; }
     std::optional<double> step_limit() const override { return step_limit_; }
     std::string plugins() const override { return described(plugins_); }
+    std::vector<PluginBuild> plugin_builds() const override;
     double largest_diameter() const override;
     double smallest_diameter() const override;
-    void go_on_from(Archive& kept) override { kept_ = &kept; }
+    void go_on_from(Archive& kept, double time) override;
     void start(double solid_step, long steps, bool with_gas) override;
     void end_after(long steps) override;
     std::optional<Problem> cannot_be_kept() const override;
-    std::string sums_lost() const override;
+    std::string memories_lost() const override;
     void keep(Archive& archive) override;
 
     ParticleView particles() override;
@@ -58,15 +67,19 @@ public:
 
     std::string version() const override;
 
-    std::vector<Problem> remarks() override { return remarks_->now(); }
+    std::vector<Problem> remarks() override;
     std::vector<Count> counts() const override;
     EngineWarnings* warnings() override;  ///< flushed
 
 private:
     void refuse_faster_contacts() const;
+    void set_up();
 
     Communicator comm_;
     const Settings& settings_;
+    LaterStart later_;
+    EarlierFiles earlier_;
+    std::vector<Problem> told_;  ///< to be, of the start
     EngineWarnings warnings_{"LIGGGHTS", LastWords::log_name};
     std::unique_ptr<ListeningScreen> screen_;
     LAMMPS_NS::LAMMPS* lmp_ = nullptr;

@@ -305,39 +305,6 @@ void refuse_other_box(const LAMMPS& lmp, const DomainBox& kept, const std::strin
 
 }  // namespace
 
-std::optional<Problem> unkept_state(LAMMPS& lmp, const std::string& script)
-{
-    static constexpr struct {
-        const char *style, *why;
-    } known[] = {
-        {"move/mesh", "a mesh that moves, whose place LIGGGHTS takes up only while the script makes it"},
-        {"mesh/surface/stress/6dof", "a mesh that particles move"},
-        {"mesh/surface/stress/servo", "a mesh that particles move"},
-        {"mesh/surface/stress/deform", "a mesh that particles deform"},
-        {"deform", "a box that changes"},
-    };
-    for (int n = 0; n < lmp.modify->nfix; ++n) {
-        const Fix& fix = *lmp.modify->fix[n];
-        for (const auto& [style, why] : known)
-            if (starts_with(fix.style, style))
-                return Problem{std::string("a checkpoint cannot hold fix ") + fix.id + " (" + fix.style + "): " + why,
-                               script, "leave it away, or go without checkpoints"};
-    }
-    return std::nullopt;
-}
-
-std::string sums_not_kept(LAMMPS& lmp)
-{
-    std::string found;
-    for (int n = 0; n < lmp.modify->nfix; ++n) {
-        const Fix& fix = *lmp.modify->fix[n];
-        if (!starts_with(fix.style, "ave/")) continue;
-        if (!found.empty()) found += ", ";
-        found += std::string(fix.id) + " (" + fix.style + ")";
-    }
-    return found;
-}
-
 void take_particle_state(LAMMPS& lmp, Archive& archive)
 {
     lmp.modify->setup_pre_exchange();  // contact histories, from neighbour lists to particles

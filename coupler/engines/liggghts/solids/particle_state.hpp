@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "base/archive.hpp"
-#include "base/problem.hpp"
 
 namespace LAMMPS_NS {
 class LAMMPS;
 }
 
 namespace interphase {
-
-/// What of a script makes state that LIGGGHTS gives nobody to save (meshes that move, a box that changes): such a scene
-/// cannot go on from a checkpoint.
-std::optional<Problem> unkept_state(LAMMPS_NS::LAMMPS& lmp, const std::string& script);
-
-/// Fixes of the script that sum up over time and whose sums are lost with the program: "ID (style)", separated by
-/// commas; empty where there are none.
-std::string sums_not_kept(LAMMPS_NS::LAMMPS& lmp);
 
 /// Into `archive`, rank by rank: each particle as LIGGGHTS packs it for another rank, which is with all that fixes,
 /// also those of plug-ins, and contacts know of it; its force and torque; the step number; of fixes what they write

@@ -6,6 +6,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "fix_insert_stream.h"
+#include "fix_massflow_mesh_sieve.h"
 #include "fix_mesh.h"
 #include "lammps.h"
 #include "modify.h"
@@ -36,6 +37,11 @@ struct Stream : LAMMPS_NS::FixInsertStream {
     static bool& begins(LAMMPS_NS::FixInsertStream& fix) { return fix.*(&Stream::do_ins_fraction_calc); }
 };
 
+/// What draws whether a particle passes.
+struct Sieve : LAMMPS_NS::FixMassflowMeshSieve {
+    static LAMMPS_NS::RanPark& random(LAMMPS_NS::FixMassflowMeshSieve& fix) { return *(fix.*(&Sieve::random_)); }
+};
+
 /// Another for each step, rank and thing, as LIGGGHTS's generator wants it.
 int seed(const LAMMPS_NS::LAMMPS& lmp, int thing)
 {
@@ -55,6 +61,8 @@ void seed_places(LAMMPS_NS::LAMMPS& lmp)
     for (int n = 0; n < lmp.modify->nfix; ++n) {
         if (auto* stream = dynamic_cast<LAMMPS_NS::FixInsertStream*>(lmp.modify->fix[n]))
             Stream::begins(*stream) = true;
+        if (auto* sieve = dynamic_cast<LAMMPS_NS::FixMassflowMeshSieve*>(lmp.modify->fix[n]))
+            Sieve::random(*sieve).reset(seed(lmp, ++thing));
         auto* fix = dynamic_cast<LAMMPS_NS::FixMesh*>(lmp.modify->fix[n]);
         if (!fix) continue;
         auto* mesh = dynamic_cast<LAMMPS_NS::MultiNodeMesh<3>*>(fix->mesh());

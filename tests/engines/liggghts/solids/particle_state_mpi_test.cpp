@@ -165,7 +165,7 @@ TEST_F(ParticleState, LetsAnotherLiggghtsGoOnToTheLastBit)
     advance(straight, 500);
 
     LiggghtsSolids resumed(world(), rules);
-    resumed.go_on_from(loading);
+    resumed.go_on_from(loading, 400 * step);
     resumed.start(step, 100000, true);
     keep(resumed, loading);
     advance(resumed, 500);
