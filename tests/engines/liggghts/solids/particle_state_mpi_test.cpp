@@ -233,7 +233,7 @@ TEST_F(ParticleState, GoesToOtherRanks)
             mine[0] = saved.state();
         Archive loading = Archive::loading(after, before.size(), mine);
         LiggghtsSolids moved(after, rules);
-        moved.go_on_from(loading);
+        moved.go_on_from(loading, 400 * step);
         moved.start(step, 100000, true);
         keep(moved, loading);
         EXPECT_EQ(after.sum(static_cast<long>(all_of(moved).size())), number);
