@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <utility>
 
 #include "records/hdf5_file.hpp"
 #include "records/unwritten.hpp"
@@ -32,8 +33,8 @@ std::string file_of(int number) { return std::string(folder) + "/" + number_text
 
 std::string item(const std::string& file, const std::string& name, std::size_t particles, int columns)
 {
-    const std::string type =
-        name == "id" ? "NumberType=\"Int\" Precision=\"4\"" : "NumberType=\"Float\" Precision=\"8\"";
+    const bool whole = name == "id" || name == "type";
+    const std::string type = whole ? "NumberType=\"Int\" Precision=\"4\"" : "NumberType=\"Float\" Precision=\"8\"";
     std::string shape = std::to_string(particles);
     if (columns > 1) shape += " " + std::to_string(columns);
     return "<DataItem Format=\"HDF\" " + type + " Dimensions=\"" + shape + "\">" + file + ":/" + name + "</DataItem>";
@@ -145,12 +146,14 @@ void ParticleSnapshots::write(double time, const ParticleRows& rows)
         const auto write = [&](const char* what, const char* unit, const Scalars& values, std::size_t columns) {
             file.write_rows(std::string("/") + what, unit, H5T_NATIVE_DOUBLE, values.data(), n, columns, first, all);
         };
-        file.write_rows("/id", "1", H5T_NATIVE_INT, rows.id.data(), n, 1, first, all);
+        for (const auto& [what, values] : {std::pair("/id", &rows.id), std::pair("/type", &rows.type)})
+            file.write_rows(what, "1", H5T_NATIVE_INT, values->data(), n, 1, first, all);
         write("position", "m", rows.position, 3);
         write("velocity", "m/s", rows.velocity, 3);
         write("angular_velocity", "rad/s", rows.angular_velocity, 3);
         write("force", "N", rows.force, 3);
         write("diameter", "m", rows.diameter, 1);
+        write("density", "kg/m3", rows.density, 1);
         if (rows.weight) write("weight", "1", *rows.weight, 1);
         file.flush();
     }
@@ -184,7 +187,7 @@ void ParticleSnapshots::write_xdmf(int number, std::size_t particles, double tim
     for (const char* name : {"velocity", "angular_velocity", "force"})
         grids_ += std::string("<Attribute Name=\"") + name + "\" AttributeType=\"Vector\" Center=\"Node\">" +
                   item(file, name, particles, 3) + "</Attribute>\n";
-    std::vector<const char*> scalars{"id", "diameter"};
+    std::vector<const char*> scalars{"id", "type", "diameter", "density"};
     if (with_weights) scalars.push_back("weight");
     for (const char* name : scalars)
         grids_ += std::string("<Attribute Name=\"") + name + "\" AttributeType=\"Scalar\" Center=\"Node\">" +

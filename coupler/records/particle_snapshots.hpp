@@ -10,11 +10,11 @@
 
 namespace interphase {
 
-/// The particles of one rank at one time, as they are recorded: [n] ids, flat [n x 3] vectors, diameters of the tracked
-/// spheres [n] and, where they differ (on all ranks or on none), their weights [n]. SI units.
+/// The particles of one rank at one time, as they are recorded: [n] ids and types, flat [n x 3] vectors, diameters and
+/// densities of the tracked spheres [n] and, where they differ (on all ranks or on none), their weights [n]. SI units.
 struct ParticleRows {
-    std::vector<int> id;
-    Scalars position, velocity, angular_velocity, force, diameter;
+    std::vector<int> id, type;
+    Scalars position, velocity, angular_velocity, force, diameter, density;
     std::optional<Scalars> weight;
 };
 

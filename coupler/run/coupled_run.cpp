@@ -47,6 +47,7 @@ CoupledRun::CoupledRun(GasCase& gas_case, const MakeParticleEngine& make_particl
     gas_step_ = clock_.next(case_.gas_step(), 1e300).duration;
     check_scene();
 
+    facts_ = facts();
     if (options.resumes) find_checkpoint();
     end_time_ = case_.end_time();
     solids_->start(clock_.solid_step(), steps_until(end_time_), gas_ != nullptr);

@@ -41,7 +41,7 @@ void CoupledRun::refuse_other_run(const Checkpoints::Found& found) const
 {
     std::optional<Problem> problem;
     if (comm_.is_master()) {
-        const FactDifferences differ = differences(found.facts, facts());
+        const FactDifferences differ = differences(found.facts, facts_);
         if (!differ.refused.empty())
             problem = Problem{
                 "the case is not as it was when " + found.path + " was written:" + in_lines(differ.refused), "the case",
@@ -152,7 +152,7 @@ void CoupledRun::write_checkpoint(CheckpointSchedule::Due why)
     keep(saved);
     SpentTime spent = spent_before_.with(comm_, stopwatch_, report_.wall_seconds());
     saved.keep("spent", spent);
-    const std::optional<Problem> problem = checkpoints_.write(case_.time(), saved, facts());
+    const std::optional<Problem> problem = checkpoints_.write(case_.time(), saved, facts_);
     if (problem) report_.warn(problem->message());
     if (why != CheckpointSchedule::Due::by_time) return;
     Archive loading = Archive::loading(saved.state());

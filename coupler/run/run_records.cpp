@@ -5,6 +5,7 @@
 
 #include "base/disk_room.hpp"
 #include "base/disk_watch.hpp"
+#include "base/sphere.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "records/case_inputs.hpp"
@@ -30,14 +31,19 @@ ParticleRows rows_of(const ParticleView& particles)
     const std::size_t n = particles.size();
     const auto flat = [n](const VectorsView& vectors) { return Scalars(vectors.data(), vectors.data() + 3 * n); };
     ParticleRows rows{std::vector<int>(particles.id, particles.id + n),
+                      std::vector<int>(particles.type, particles.type + n),
                       flat(particles.position),
                       flat(particles.velocity),
                       flat(particles.angular_velocity),
                       flat(particles.force),
                       Scalars(n),
+                      Scalars(n),
                       std::nullopt};
-    for (std::size_t i = 0; i < n; ++i)
-        rows.diameter[i] = 2 * particles.radius[static_cast<Eigen::Index>(i)];
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto at = static_cast<Eigen::Index>(i);
+        rows.diameter[i] = 2 * particles.radius[at];
+        rows.density[i] = particles.mass[at] / sphere_volume(particles.radius[at]);
+    }
     if (!particles.weight.differ()) return rows;
     rows.weight.emplace(n);
     for (std::size_t i = 0; i < n; ++i)

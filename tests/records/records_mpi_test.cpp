@@ -101,7 +101,9 @@ ParticleRows rows(int snapshot)
             mine.angular_velocity.push_back(2 * id + 0.1 * axis);
             mine.force.push_back(1e-6 * id + 0.1 * axis);
         }
+        mine.type.push_back(1 + id % 2);
         mine.diameter.push_back(1e-3 * id);
+        mine.density.push_back(1000.0 + id);
     }
     if (snapshot == 0) return mine;
     mine.weight.emplace();
@@ -138,14 +140,18 @@ TEST(ParticleSnapshots, HoldEveryRanksParticlesWithTheirOwnValues)
             EXPECT_EQ(file.shape(group + "/position"), (std::vector<hsize_t>{ids.size(), 3}));
             EXPECT_EQ(file.shape(group + "/diameter"), (std::vector<hsize_t>{ids.size()}));
             EXPECT_EQ(file.word(group + "/force", "unit"), "N");
+            EXPECT_EQ(file.word(group + "/density", "unit"), "kg/m3");
 
             const Scalars x = file.doubles(group + "/position"), v = file.doubles(group + "/velocity");
             const Scalars w = file.doubles(group + "/angular_velocity"), f = file.doubles(group + "/force");
-            const Scalars d = file.doubles(group + "/diameter");
+            const Scalars d = file.doubles(group + "/diameter"), density = file.doubles(group + "/density");
+            const std::vector<int> types = file.integers(group + "/type");
             EXPECT_EQ(file.has(group + "/weight"), snapshot == 1);
             const Scalars weight = snapshot == 1 ? file.doubles(group + "/weight") : Scalars{};
             for (std::size_t i = 0; i < ids.size(); ++i) {
                 EXPECT_EQ(d[i], 1e-3 * ids[i]);
+                EXPECT_EQ(density[i], 1000.0 + ids[i]);
+                EXPECT_EQ(types[i], 1 + ids[i] % 2);
                 if (snapshot == 1) {
                     EXPECT_EQ(weight[i], 0.25 * ids[i]);
                 }
@@ -185,7 +191,7 @@ TEST(ParticleSnapshots, TheXdmfLeadsToEveryDataSet)
                 EXPECT_TRUE(mentions("<Geometry GeometryType=\"XYZ\"/>"));
                 continue;
             }
-            for (const char* name : {"id", "diameter"})
+            for (const char* name : {"id", "type", "diameter", "density"})
                 EXPECT_TRUE(mentions("Dimensions=\"" + n + "\">" + file + ":/" + name + "</DataItem>")) << name;
             for (const char* name : {"position", "velocity", "angular_velocity", "force"})
                 EXPECT_TRUE(mentions("Dimensions=\"" + n + " 3\">" + file + ":/" + name + "</DataItem>")) << name;

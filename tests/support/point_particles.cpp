@@ -30,6 +30,7 @@ void PointParticles::append(const Particle& p)
     weight_[column(i)] = p.weight;
     if (!p.held) force_.col(column(i)) = mass_[column(i)] * gravity_;  // as LIGGGHTS's set-up leaves it
     id_.push_back(p.id);
+    type_.push_back(1);
     held_.push_back(p.held);
     fluid_.emplace_back();
     booked_.resize(3 * size(), 0.0);
@@ -48,6 +49,7 @@ ParticleView PointParticles::particles()
             ScalarsView(mass_.data(), n),
             ParticleWeights::of_each(weight_.data()),
             id_.data(),
+            type_.data(),
             fluid_.data(),
             booked_.data(),
             coupling_.data()};
@@ -139,6 +141,7 @@ void PointParticles::erase(std::size_t i)
     fluid_[i] = fluid_[last];
     coupling_[i] = coupling_[last];
     id_.pop_back();
+    type_.pop_back();
     held_.pop_back();
     fluid_.pop_back();
     coupling_.pop_back();

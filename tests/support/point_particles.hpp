@@ -79,7 +79,7 @@ private:
     double solid_step_;
     Eigen::Matrix3Xd position_, velocity_, spin_, force_, fluid_force_;
     Eigen::VectorXd radius_, mass_, weight_;
-    std::vector<int> id_;
+    std::vector<int> id_, type_;
     std::vector<bool> held_;
     std::vector<FluidForce> fluid_;
     Scalars booked_;

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "atom.h"
+#include "base/sphere.hpp"
 #include "fix_property_global.h"
 #include "force.h"
 #include "lammps.h"
@@ -51,7 +52,7 @@ std::optional<double> rayleigh_time(LAMMPS_NS::LAMMPS& lmp)
 {
     const LAMMPS_NS::Atom& atom = *lmp.atom;
     return shortest(lmp, [&](int i, double young, double poisson) {
-        const double radius = atom.radius[i], density = atom.rmass[i] / (4.0 / 3 * M_PI * radius * radius * radius);
+        const double radius = atom.radius[i], density = atom.rmass[i] / sphere_volume(radius);
         const double shear = young / (2 * (1 + poisson));
         return M_PI * radius * std::sqrt(density / shear) / (0.1631 * poisson + 0.8766);
     });

@@ -256,6 +256,7 @@ ParticleView LiggghtsSolids::particles()
             ScalarsView(atom.rmass, n),
             weights_ ? ParticleWeights::of_each(weights_->vector_atom) : ParticleWeights::same(settings_.weight),
             atom.tag,
+            atom.type,
             fluid_ ? fluid_->forces() : nullptr,
             fluid_ ? fluid_->booked() : nullptr,
             fluid_ ? fluid_->coupling() : nullptr};
