@@ -68,6 +68,9 @@ print("FOUND " + json.dumps([seen, arrays]))
 """
 
 
+ARRAYS = ["angular_velocity", "density", "diameter", "force", "id", "type", "velocity"]
+
+
 class OpenedInParaView(support.ProgramTest):
     def opened(self, ranks):
         folder = self.prepared(
@@ -98,7 +101,7 @@ class OpenedInParaView(support.ProgramTest):
         for seen, written in zip(found["particle times"], sorted(snapshots)):
             self.assertAlmostEqual(seen, written, delta=1e-11)  # the XDMF has twelve digits
         self.assertEqual(found["points"], len(last["id"]))
-        self.assertEqual(found["arrays"], ["angular_velocity", "diameter", "force", "id", "velocity"])
+        self.assertEqual(found["arrays"], ARRAYS)
         for axis in range(3):
             # ParaView keeps the coordinates in single precision: 1e-7 of a metre-sized bed
             self.assertAlmostEqual(found["bounds"][2 * axis], last["position"][:, axis].min(), delta=1e-6)
@@ -136,7 +139,7 @@ class OpenedInParaView(support.ProgramTest):
         self.assertTrue(line, viewer.stdout + viewer.stderr)
         seen, arrays = json.loads(line[0][6:])
         self.assertEqual(list(seen.values()), [0, 50])
-        self.assertEqual(arrays, ["angular_velocity", "diameter", "force", "id", "velocity"])
+        self.assertEqual(arrays, ARRAYS)
 
     def test_one_rank(self):
         self.check(1)
