@@ -29,11 +29,12 @@ Results::Results(const Communicator& comm, std::optional<double> goes_on_from)
 void Results::add_row(const std::string& group, const std::vector<Entry>& row)
 {
     if (!file_) return;
-    for (const Entry& entry : row) {
-        ColumnRows& column = tables_[group][entry.name];
-        column.unit = entry.unit;
-        column.rows.push_back(entry.value);
-    }
+    std::vector<ColumnRows>& table = tables_[group];
+    if (table.empty())
+        for (const Entry& entry : row)
+            table.push_back({entry.name, entry.unit, {}});
+    for (std::size_t n = 0; n < row.size(); ++n)
+        table[n].rows.push_back(row[n].value);
     rows_wait_ = true;
 }
 
@@ -72,10 +73,12 @@ void Results::flush()
 {
     if (!file_) return;
     const double start = now();
-    for (auto& [group, columns] : tables_)
-        file_->change(
-            [group = group, columns = std::move(columns)](Hdf5File& file) { append_rows(file, group, columns); });
-    tables_.clear();
+    for (auto& [group, columns] : tables_) {
+        if (columns.front().rows.empty()) continue;
+        file_->change([group = group, columns = columns](Hdf5File& file) { append_rows(file, group, columns); });
+        for (ColumnRows& column : columns)
+            column.rows.clear();
+    }
     rows_wait_ = false;
     file_->publish();
     last_flush_ = now();

@@ -27,7 +27,7 @@ public:
         double value;
     };
 
-    /// Adds a row to the table, e.g. "/series". Every row of a table has the same entries.
+    /// Adds a row to the table, e.g. "/series". Every row of a table has the same entries, in the same order.
     void add_row(const std::string& group, const std::vector<Entry>& row);
 
     void describe(const std::string& group, const std::string& name, const std::string& value);
@@ -46,7 +46,7 @@ public:
 
 private:
     std::optional<TwinFile> file_;
-    std::map<std::string, std::map<std::string, ColumnRows>> tables_;  ///< rows that are not in the file yet
+    std::map<std::string, std::vector<ColumnRows>> tables_;  ///< rows that are not in the file yet
     bool rows_wait_ = false;
     double last_flush_ = 0, last_step_ = 0;  ///< when, by the wall clock [s]
     double cost_ = 0;                        ///< of the last flush, in wall-clock time [s]

@@ -18,18 +18,18 @@ void fill_up(Hdf5File& file, const std::string& path, const std::string& unit, s
 
 }  // namespace
 
-void append_rows(Hdf5File& file, const std::string& group, const std::map<std::string, ColumnRows>& columns)
+void append_rows(Hdf5File& file, const std::string& group, const std::vector<ColumnRows>& columns)
 {
     const std::vector<std::string> names = file.names_in(group);
     std::size_t rows = 0;
     for (const std::string& name : names)
         rows = std::max(rows, file.length(group + "/" + name));
-    for (const auto& [name, column] : columns) {
-        fill_up(file, group + "/" + name, column.unit, rows);
-        file.append(group + "/" + name, column.unit, column.rows);
+    for (const ColumnRows& column : columns) {
+        fill_up(file, group + "/" + column.name, column.unit, rows);
+        file.append(group + "/" + column.name, column.unit, column.rows);
     }
     if (columns.empty()) return;
-    rows += columns.begin()->second.rows.size();
+    rows += columns.front().rows.size();
     for (const std::string& name : names)
         fill_up(file, group + "/" + name, "", rows);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -11,14 +10,14 @@ namespace interphase {
 
 /// A column's new rows.
 struct ColumnRows {
-    std::string unit;
+    std::string name, unit;
     std::vector<double> rows;
 };
 
-/// Adds rows to the table `group`: data sets of equal length, of which one is called "time". `columns` by name, of
-/// equal length. Where a column is new, or one that is there has no new rows, NaN stands in its place: rows of one
+/// Adds rows to the table `group`: data sets of equal length, of which one is called "time". `columns` are of equal
+/// length. Where a column is new, or one that is there has no new rows, NaN stands in its place: rows of one
 /// number belong together.
-void append_rows(Hdf5File& file, const std::string& group, const std::map<std::string, ColumnRows>& columns);
+void append_rows(Hdf5File& file, const std::string& group, const std::vector<ColumnRows>& columns);
 
 /// Takes the rows after `time` [s] from every table of the file.
 void keep_rows_until(Hdf5File& file, double time);

@@ -22,7 +22,7 @@ LEFT = 10  # [s] within which all ranks are gone
 class KilledRun(ResumedRun):
     """With `stop` [s]: the time between two checkpoints."""
 
-    stop, end = 0.005, 1000
+    stop = 0.005
 
     def seen_until(self, folder, program, moment):
         """Waits until `moment`; returns [(by the wall clock, simulated time)] as the witness tells."""
@@ -43,7 +43,8 @@ class KilledRun(ResumedRun):
             while not os.path.isdir(os.path.join(folder, "checkpoints")) or not set(
                 name for name in os.listdir(os.path.join(folder, "checkpoints")) if name[0] != "."
             ) - before:
-                self.assertIsNone(program.poll(), "the run has ended")
+                if program.poll() is not None:
+                    self.fail(f"the run has ended: {program.communicate()}")
                 self.assertLess(time.monotonic() - begin, 120, "no checkpoint comes")
                 time.sleep(0.005)
             seen = self.seen_until(folder, program, time.monotonic() + patience)
@@ -66,6 +67,7 @@ class KilledRun(ResumedRun):
         return rows[-1]
 
     def check_killed(self, method, ranks, kills, launcher=False):
+        self.end = 1000  # no end but kills
         straight, killed = self.ready(method, ranks)
         for folder in (straight, killed):
             script = os.path.join(folder, "dem/in.liggghts")

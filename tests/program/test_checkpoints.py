@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-# processors: 2
+# processors: 4
 # timeout: 600
 """When checkpoints are written: at the end, by the wall clock, when a signal or a file asks, before the limit of wall-clock time. A run
 is not changed by one that it was asked for, and says how it goes on."""
@@ -20,7 +20,7 @@ import vessel  # noqa: E402
 from resumed_run import ResumedScene, parts, states  # noqa: E402
 
 FOR_EVER = 1000  # [s], simulated
-WALL_LIMIT = 8
+DISK, WALL_LIMIT = 6, 8
 
 
 def checkpoints(folder):
@@ -91,7 +91,7 @@ class Checkpoints(ResumedScene, support.ProgramTest):
 
     def test_asked_by_a_signal(self):
         """Of mpirun, which hands SIGUSR1 on to all; the run goes on."""
-        for ranks in (1, 2):
+        for ranks in (1, 4):
             with self.subTest(ranks=ranks):
                 folder = self.scene("CGHS", ranks, FOR_EVER, "wallInterval 0;")
                 program = self.started(folder, ranks)
@@ -104,7 +104,7 @@ class Checkpoints(ResumedScene, support.ProgramTest):
                 self.goes_on(folder, ranks)
 
     def test_signals_that_end_leave_one(self):
-        for number, ranks in ((signal.SIGINT, 1), (signal.SIGTERM, 1), (signal.SIGUSR2, 2)):
+        for number, ranks in ((signal.SIGINT, 1), (signal.SIGTERM, 1), (signal.SIGUSR2, 4)):
             with self.subTest(signal=number):
                 folder = self.scene("TDHS", ranks, FOR_EVER)
                 code, out, err = self.stopped(self.started(folder, ranks), number)
@@ -113,7 +113,7 @@ class Checkpoints(ResumedScene, support.ProgramTest):
                 self.goes_on(folder, ranks)
 
     def test_before_the_limit_of_wall_time(self):
-        for ranks in (1, 2):
+        for ranks in (1, 4):
             with self.subTest(ranks=ranks):
                 folder = self.scene("CGHS", ranks, FOR_EVER)
                 done = support.execute(folder, ranks, options=["-wallLimit", "3"])
@@ -158,6 +158,25 @@ class Checkpoints(ResumedScene, support.ProgramTest):
                 self.assertTrue(set(kept) & set(checkpoints(folder)))
                 os.remove(filler)
                 self.goes_on(folder, ranks)
+
+    def test_a_disk_that_snapshots_fill(self):
+        """What is there can be read, and the run goes on where there is room."""
+        made = self.scene("TDHS", 2, FOR_EVER, "interval 0.005;")
+        self.set_entry(made, "system/couplingDict", "records/snapshotInterval", vessel.GAS_STEP)
+        folder = os.path.join(self.small_disk("12m"), "case")
+        shutil.copytree(made, folder)
+        full = support.execute(folder, 2)
+        self.assertEqual(full.code, DISK, full.text)
+        self.assertIn("the disk is full", full.err.rstrip().split("interphase: error:")[-1])
+        with full.results() as results:
+            self.assertEqual({len(column[:]) for column in results["ledger"].values()}, {len(results["ledger/time"])})
+        snapshots = full.snapshots()
+        self.assertGreater(len(snapshots), 10)
+        counts = [len(each["id"]) for _, each in sorted(snapshots.items())]
+        self.assertEqual(counts, sorted(counts))  # spheres are poured in, none is lost
+        elsewhere = os.path.join(self.root, "elsewhere")
+        shutil.copytree(folder, elsewhere)
+        self.goes_on(elsewhere, 2)
 
     def test_files_that_are_cut_short(self):
         folder = self.scene("CGHS", 2, checkpoint="interval 0.01;")
