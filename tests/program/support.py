@@ -6,20 +6,18 @@ import re
 import shutil
 import signal
 import subprocess
-import sys
 import tempfile
 import unittest
 
 import h5py
 import numpy
 
+from interphase import foam_file, launch
+
 SOURCE = os.environ.get("INTERPHASE_SOURCE") or os.path.realpath(os.path.join(os.path.dirname(__file__), "..", ".."))
 BUILD = os.environ.get("INTERPHASE_BUILD") or os.path.join(SOURCE, "build", "release")
 PROGRAM = os.path.join(BUILD, "interphase")
 TOOLS = os.path.join(SOURCE, "tools")
-sys.path.insert(0, TOOLS)
-
-from lib import foam_file, launch  # noqa: E402
 
 # Ranks that wait for one another for ever are ended here [s]; most runs take seconds.
 LONGEST = 300

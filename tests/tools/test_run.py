@@ -8,21 +8,19 @@ Shell scripts stand in for interphase and OpenFOAM's programs, so no engine is n
 import json
 import os
 import re
-import runpy
 import shlex
 import shutil
 import signal
 import stat
 import subprocess
-import sys
 import tempfile
 import time
 import unittest
 
-REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
-sys.path.insert(0, os.path.join(REPOSITORY, "tools"))
+from interphase import case_folder, ending, foam_file, launch
+from interphase.commands import run
 
-from lib import case_folder, ending, foam_file, launch  # noqa: E402
+REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 
 PARAMETERS = """// The scene's numbers
 method    CGPM;   // DEM | CGPM
@@ -246,7 +244,7 @@ class Folders(Bench):
         self.assertTrue(os.path.exists(os.path.join(self.out, "README.md")))
 
     def test_default_names(self):
-        name = runpy.run_path(os.path.join(REPOSITORY, "tools/lib/run.py"))["default_folder"]
+        name = run.default_folder
         self.assertEqual(name("/c/bed", "CGPM", 8.0, 1), os.path.join(REPOSITORY, "runs/bed-CGPM-w8"))
         self.assertEqual(name("/c/bed", "DEM", 1.0, 4), os.path.join(REPOSITORY, "runs/bed-DEM-w1-4ranks"))
 
@@ -499,7 +497,6 @@ class Execution(Bench):
         done = self.succeed("bed")  # the fake program writes no particles.h5
         self.assertIn("warning: picture failed", done.stderr)
         self.assertNotIn("picture", self.succeed("bed", "--overwrite", "--no-picture").stderr)
-
 
 
 class Mesh(Bench):

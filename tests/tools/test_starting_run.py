@@ -4,20 +4,18 @@
 spheres, where a script takes its particles from. tests/program/test_from.py runs the program."""
 
 import os
-import sys
 import tempfile
 import unittest
 
 import h5py
 import numpy
 
-SOURCE = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..")
-sys.path.insert(0, os.path.join(SOURCE, "tools"))
+from interphase import foam_field, particle_file, starting_particles, starting_point, starting_run
+from interphase.case_folder import CaseError, Dictionaries
+from interphase.input_error import InputError
+from interphase.particle_script import particle_source
 
-from lib import foam_field, particle_file, starting_particles, starting_point, starting_run  # noqa: E402
-from lib.case_folder import CaseError, Dictionaries  # noqa: E402
-from lib.input_error import InputError  # noqa: E402
-from lib.particle_script import particle_source  # noqa: E402
+SOURCE = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..")
 
 COUPLING = 'method DEM;\nweight 1;\nparticles { script "dem/in.liggghts"; variables { method DEM; bed start; } }\n'
 SCRIPT = "boundary f p f\nread_data dem/bed.data  # the bed\n"
