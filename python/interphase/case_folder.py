@@ -9,6 +9,7 @@ import stat
 
 from interphase import foam_file
 from interphase.foam_file import FoamFileError, nearest
+from interphase.input_error import InputError
 
 PARAMETERS = "parameters"
 COUPLING = "system/couplingDict"
@@ -24,10 +25,6 @@ METHODS = ("DEM", "CGPM", "TDHS", "CGHS", "MPPIC", "PLUGIN")
 OF_PARTICLES = ("DEM", "TDHS")  # every particle is tracked: W = 1
 # Collisions come from a fix style that `plugins` brings, usually from this one.
 OF_PLUGINS = {"TDHS": "hard_sphere", "CGHS": "hard_sphere", "MPPIC": "mp_pic", "PLUGIN": "NAME"}
-
-
-class CaseError(Exception):
-    """The case, or what is asked of it, is wrong; the message is meant for the user."""
 
 
 def cases_in(folder):
@@ -49,7 +46,7 @@ def listing(cases_folder):
 
 
 def checked_case(path, cases_folder):
-    """The absolute path of the case at `path`; CaseError that says what was looked for otherwise."""
+    """The absolute path of the case at `path`; InputError that says what was looked for otherwise."""
     if not os.path.isdir(path):
         what = "is a file, not a case folder" if os.path.exists(path) else "no such folder"
         known = {os.path.basename(p): os.path.relpath(p) for p in cases_in(cases_folder)}
@@ -60,10 +57,10 @@ def checked_case(path, cases_folder):
             for short in sorted(known, key=len, reverse=True):
                 guess = guess.replace(f"'{short}'", f"'{known[short]}'")
             hint = guess + " "
-        raise CaseError(f"{path}: {what}. {hint}{listing(cases_folder)}")
+        raise InputError(f"{path}: {what}. {hint}{listing(cases_folder)}")
     for needed in (COUPLING, CONTROL):
         if not os.path.isfile(os.path.join(path, needed)):
-            raise CaseError(f"{path} is no case: there is no {needed} in it. {listing(cases_folder)}")
+            raise InputError(f"{path} is no case: there is no {needed} in it. {listing(cases_folder)}")
     return os.path.abspath(path)
 
 
@@ -89,14 +86,14 @@ class Dictionaries:
         if file not in self._texts:
             normal = os.path.normpath(file)
             if os.path.isabs(file) or normal.startswith(".."):
-                raise CaseError(f"'{file}' is not inside the case: name files from the case folder on")
+                raise InputError(f"'{file}' is not inside the case: name files from the case folder on")
             try:
                 with open(os.path.join(self.folder, file), encoding="utf-8") as stream:
                     self._texts[file] = stream.read()
             except FileNotFoundError:
-                raise CaseError(f"the case has no file '{file}': {nearest(file, self._files())}") from None
+                raise InputError(f"the case has no file '{file}': {nearest(file, self._files())}") from None
             except (OSError, UnicodeDecodeError) as error:
-                raise CaseError(f"cannot read '{file}' of the case: {error}") from None
+                raise InputError(f"cannot read '{file}' of the case: {error}") from None
         return self._texts[file]
 
     def _source(self, file, path):
@@ -116,7 +113,7 @@ class Dictionaries:
         try:
             return function(self.text(file), *arguments)
         except FoamFileError as error:
-            raise CaseError(f"{os.path.join(os.path.relpath(self.folder), file)}: {error}") from None
+            raise InputError(f"{os.path.join(os.path.relpath(self.folder), file)}: {error}") from None
 
     def value(self, file, path, default=None):
         """The value at `path`, `$name` looked up in `parameters`; `default` where there is none."""
@@ -150,21 +147,21 @@ class Dictionaries:
 
 
 def checked_method(name):
-    """`dem` -> `DEM`, `mp-pic` -> `MPPIC`; CaseError for a method that there is not."""
+    """`dem` -> `DEM`, `mp-pic` -> `MPPIC`; InputError for a method that there is not."""
     method = name.upper().replace("-", "")
     if method not in METHODS:
-        raise CaseError(f"method '{name}' is unknown: {nearest(method, METHODS)}")
+        raise InputError(f"method '{name}' is unknown: {nearest(method, METHODS)}")
     return method
 
 
 def checked_weight(text):
-    """Real particles per tracked one, as a number >= 1; CaseError otherwise."""
+    """Real particles per tracked one, as a number >= 1; InputError otherwise."""
     try:
         weight = float(text)
     except ValueError:
-        raise CaseError(f"weight '{text}' is no number") from None
+        raise InputError(f"weight '{text}' is no number") from None
     if not 1 <= weight < float("inf"):
-        raise CaseError(f"weight {text}: a tracked sphere stands for at least 1 real particle, give W >= 1")
+        raise InputError(f"weight {text}: a tracked sphere stands for at least 1 real particle, give W >= 1")
     return weight
 
 
@@ -182,12 +179,12 @@ def set_method_and_weight(case, method=None, weight=None):
     number = checked_weight(w)
     if of_particles and number != 1:
         where = f"--weight {w}" if weight is not None else f"weight {w} of the case"
-        raise CaseError(
+        raise InputError(
             f"{where} does not go with method {chosen}, which tracks every particle (W = 1): "
             f"take --method {'CGPM' if chosen == 'DEM' else 'CGHS'} for parcels, or --weight 1"
         )
     if chosen in OF_PLUGINS and case.value(COUPLING, "plugins") in (None, "()"):
-        raise CaseError(
+        raise InputError(
             f"method {chosen} takes its collisions from a plug-in, and the case names none: "
             f"add `plugins ({OF_PLUGINS[chosen]});` to its {COUPLING}"
         )
@@ -255,7 +252,7 @@ def copy(case_folder, run_folder):
         )
     except shutil.Error as several:
         source, _, why = several.args[0][0]
-        raise CaseError(f"cannot copy {source} of the case: {why}; give yourself the right to read it") from None
+        raise InputError(f"cannot copy {source} of the case: {why}; give yourself the right to read it") from None
     for base, folders, files in os.walk(run_folder):
         for name in (*folders, *files):
             _own(os.path.join(base, name))

@@ -4,8 +4,9 @@
 import json
 import os
 
-from . import foam_file
-from .case_folder import CONTROL, CaseError
+from interphase import foam_file
+from interphase.case_folder import CONTROL
+from interphase.input_error import InputError
 
 
 def record_of(folder, mark, case):
@@ -15,13 +16,13 @@ def record_of(folder, mark, case):
         with open(path, encoding="utf-8") as stream:
             record = json.load(stream)
     except FileNotFoundError:
-        raise CaseError(f"--resume: {folder} holds no run of tools/run; name its folder by --out DIR") from None
+        raise InputError(f"--resume: {folder} holds no run of tools/run; name its folder by --out DIR") from None
     except ValueError as error:
-        raise CaseError(f"--resume: {path} cannot be read: {error}") from None
+        raise InputError(f"--resume: {path} cannot be read: {error}") from None
     if record.get("case") != case:
-        raise CaseError(f"--resume: {folder} holds a run of {record.get('case')}, not of {case}; name its folder by --out DIR")
+        raise InputError(f"--resume: {folder} holds a run of {record.get('case')}, not of {case}; name its folder by --out DIR")
     if not os.path.isdir(os.path.join(folder, "checkpoints")):
-        raise CaseError(
+        raise InputError(
             f"--resume: {folder} has no checkpoints: it ended before the first was due, or in an error; start it anew "
             "(--overwrite)"
         )

@@ -10,14 +10,12 @@ import numpy
 from scipy.spatial import cKDTree
 from scipy.stats import qmc
 
+from interphase.input_error import InputError
+
 SPREAD = 0.50  # packing that the spheres would make if the distance they keep were their diameter
 OVERSHOOT = 1.2  # share of a pair's overlap that a pass takes away
 PASSES, SPREADING = 4000, 300  # at most; those that are spent on more distance than a diameter
 TOLERANCE = 1e-4  # of the diameter: overlap that is none
-
-
-class NoRoom(Exception):
-    """The spheres do not find places; the message says how much they overlap."""
 
 
 def even_bed(count, diameter, low, high, seed=1):
@@ -27,7 +25,7 @@ def even_bed(count, diameter, low, high, seed=1):
     packing = count * numpy.pi / 6 * diameter**3 / numpy.prod(size)
     kept = diameter * max(1.0 + 2 * TOLERANCE, (SPREAD / packing) ** (1 / 3))
     if (size < 2 * diameter).any():
-        raise NoRoom(f"{' x '.join(f'{x:g}' for x in size)} m is less than two diameters of {diameter:g} m in a direction")
+        raise InputError(f"{' x '.join(f'{x:g}' for x in size)} m is less than two diameters of {diameter:g} m in a direction")
     kept = min(kept, 0.99 * size.min() / 2)
     place = qmc.Halton(3, scramble=True, seed=seed).random(count) * size  # any part holds its share already
     closest = 0.0
@@ -48,7 +46,7 @@ def even_bed(count, diameter, low, high, seed=1):
         neighbours = numpy.bincount(pairs.ravel(), minlength=count)
         place += move / numpy.sqrt(numpy.maximum(neighbours, 1))[:, None]
     if closest < (1 - TOLERANCE) * diameter:
-        raise NoRoom(
+        raise InputError(
             f"{count} spheres of {diameter:g} m found no places of their own at a packing of {packing:.3g}: "
             f"{1 - closest / diameter:.2g} of a diameter is the largest overlap left; take fewer or a larger box"
         )

@@ -5,6 +5,7 @@ import gzip
 import os
 import re
 import zlib
+from dataclasses import dataclass
 
 import numpy
 
@@ -40,6 +41,31 @@ def body(data):
     return data[found.end():] if found else data
 
 
+@dataclass
+class InternalField:
+    """Values of a field in cells or faces: `kind` (scalar, vector, ...), `values` [n, components]; one row, n = 1, where `uniform`."""
+
+    kind: str
+    values: numpy.ndarray
+    uniform: bool
+
+
+def internal_field(path, data=None):
+    """The `InternalField` of the file of a field, uniform or not; InputError where there is none, or a torn one.
+    `data`: its content, where that is read already."""
+    data = content(path) if data is None else data
+    found = re.search(rb"\binternalField\s+uniform\s+([^;$]+);", data)
+    if found:
+        values = numpy.array(found[1].replace(b"(", b" ").replace(b")", b" ").split(), dtype=float).reshape(1, -1)
+        kinds = [kind for kind, components in COMPONENTS.items() if components == values.shape[1]]
+        return InternalField(kinds[0], values, True)
+    found = re.search(rb"\binternalField\s+nonuniform\s+List<(\w+)>\s*(\d+)\s*([({])", data)
+    if found is None or found[1].decode() not in COMPONENTS:
+        raise InputError(f"{path}: no internalField with values of cells or faces")
+    kind, count = found[1].decode(), int(found[2])
+    return InternalField(kind, _numbers(path, data, found.end(), count, COMPONENTS[kind], found[3] == b"{"), False)
+
+
 def internal_values(path, more=0.0):
     """internalField, `more` added to each number, as text for an ASCII file, every digit kept: `uniform V`, or `nonuniform List<T> ...`."""
     data = content(path)
@@ -47,11 +73,9 @@ def internal_values(path, more=0.0):
     if uniform:
         text = uniform[1].decode()
         return text if more == 0 else f"uniform {float(text.split()[1]) + more!r}"
-    found = re.search(rb"\binternalField\s+nonuniform\s+List<(\w+)>\s*(\d+)\s*([({])", data)
-    if found is None or found[1].decode() not in COMPONENTS:
-        raise InputError(f"{path}: no internalField with values of cells or faces")
-    kind, count = found[1].decode(), int(found[2])
-    values = _numbers(path, data, found.end(), count, COMPONENTS[kind], found[3] == b"{") + more
+    found = internal_field(path, data)
+    kind, values = found.kind, found.values + more
+    count = len(values)
     rows = (repr(v[0]) for v in values.tolist()) if COMPONENTS[kind] == 1 else ("(" + " ".join(map(repr, v)) + ")" for v in values.tolist())
     return f"nonuniform List<{kind}>\n{count}\n(\n" + "\n".join(rows) + "\n)"
 

@@ -14,8 +14,10 @@ import difflib
 import re
 from dataclasses import dataclass, field
 
+from interphase.input_error import InputError
 
-class FoamFileError(Exception):
+
+class FoamFileError(InputError):
     """Something in the file, or asked of it, is wrong; the message is meant for the user."""
 
 

@@ -4,7 +4,8 @@
 import os
 import re
 
-from interphase.case_folder import PARAMETERS, CaseError
+from interphase.case_folder import PARAMETERS
+from interphase.input_error import InputError
 
 MESH = "constant/polyMesh"
 DICTIONARIES = ("system/blockMeshDict", "constant/polyMesh/blockMeshDict")
@@ -19,15 +20,15 @@ def has_mesh(folder):
 
 
 def dictionary_of(folder):
-    """The name of the case's dictionary for blockMesh; None where it has none. CaseError where it has two."""
+    """The name of the case's dictionary for blockMesh; None where it has none. InputError where it has two."""
     found = [name for name in DICTIONARIES if os.path.isfile(os.path.join(folder, name))]
     if len(found) > 1:
-        raise CaseError(f"the case has two dictionaries for blockMesh, {found[0]} and {found[1]}: remove one of them")
+        raise InputError(f"the case has two dictionaries for blockMesh, {found[0]} and {found[1]}: remove one of them")
     return found[0] if found else None
 
 
 def check_settings(case, changed):
-    """A mesh that is there takes no notice of changes to its dictionary: CaseError where --set makes one.
+    """A mesh that is there takes no notice of changes to its dictionary: InputError where --set makes one.
 
     `changed`: (file, entry) pairs, as --set names them.
     """
@@ -39,7 +40,7 @@ def check_settings(case, changed):
     used = set(re.findall(r"\$[:.]*\{?[:.]*(\w+)", case.text(dictionary)))
     for file, entry in changed:
         if file == dictionary or (file == PARAMETERS and entry in used):
-            raise CaseError(
+            raise InputError(
                 f"{entry} is of the mesh that {dictionary} describes, and the case has a finished one in {MESH}, which is used as it "
                 f"is: remove {MESH}{' but for its dictionary' if dictionary.startswith(MESH) else ''} to have it made anew, or leave {entry} alone"
             )
@@ -66,7 +67,7 @@ def choose(folder, case, gas):
         return None, told
     if dictionary:
         return "blockMesh", f"mesh: of {dictionary}, by blockMesh"
-    raise CaseError(
+    raise InputError(
         f"the case has no mesh: no {MESH} with points, faces and owner, no dictionary {' or '.join(DICTIONARIES)}, and gas model '{gas}' needs "
         f"one: add a dictionary, or a mesh (of snappyHexMesh -overwrite, fluentMeshToFoam, ...) in {MESH}; gas {{ model none; }} runs particles alone"
     )

@@ -9,7 +9,8 @@ import numpy
 from scipy.spatial import cKDTree
 from scipy.stats import qmc
 
-from interphase.even_bed import NoRoom
+from interphase.input_error import InputError
+
 
 OVERSHOOT = 1.2  # share of a pair's overlap that a pass takes away
 PASSES, SPREADING = 4000, 100  # at most; those that are spent on more distance than touching
@@ -45,7 +46,7 @@ def mixed_bed(diameters, low, high, seed=1):
     size, count, radius = high - low, len(diameters), diameters / 2
     packing = numpy.sum(numpy.pi / 6 * diameters**3) / numpy.prod(size)
     if (size < diameters.max()).any():
-        raise NoRoom(f"{' x '.join(f'{x:g}' for x in size)} m is less than the largest diameter of {diameters.max():g} m in a direction")
+        raise InputError(f"{' x '.join(f'{x:g}' for x in size)} m is less than the largest diameter of {diameters.max():g} m in a direction")
     draw = numpy.random.default_rng(seed)
     room = size - diameters[:, None]
     least, most = radius[:, None] + 0.5 * SAFETY * room, size - radius[:, None] - 0.5 * SAFETY * room
@@ -72,7 +73,7 @@ def mixed_bed(diameters, low, high, seed=1):
         neighbours = numpy.bincount(pairs.ravel(), minlength=count)
         place = numpy.clip(place + move / numpy.sqrt(numpy.maximum(neighbours, 1))[:, None], least, most)
     if worst < 1:
-        raise NoRoom(
+        raise InputError(
             f"{count} spheres of {diameters.min():g} to {diameters.max():g} m found no places of their own at a packing of {packing:.3g}: "
             f"{1 - worst:.2g} of a distance is the largest overlap left; take fewer or a larger box"
         )

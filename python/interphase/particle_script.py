@@ -10,7 +10,8 @@ import re
 from dataclasses import dataclass, field
 from typing import Optional
 
-from interphase.case_folder import COUPLING, CaseError
+from interphase.case_folder import COUPLING
+from interphase.input_error import InputError
 
 # What `set` may change of a particle that was read from a file
 OF_A_PARTICLE = {"type", "x", "y", "z", "diameter", "density", "mass", "volume", "omegax", "omegay", "omegaz"}
@@ -29,7 +30,7 @@ class ParticleSource:
 
 def particle_source(case, missing=None):
     """The `ParticleSource` of the script of `case` (Dictionaries). Names of included files that are not there, or cannot be told,
-    are added to the list `missing`; CaseError for them where it is None."""
+    are added to the list `missing`; InputError for them where it is None."""
     script = case.value(COUPLING, "particles/script", '"dem/in.liggghts"').strip('"')
     found = ParticleSource()
     variables = {"weight": case.value(COUPLING, "weight", "1")}
@@ -40,7 +41,7 @@ def particle_source(case, missing=None):
 def _follow(case, file, variables, found, missing, depth):
     if depth > 20 or not case.has(file):
         if missing is None:
-            raise CaseError(f"'{file}', which the script of the particles includes, is not in {case.folder}")
+            raise InputError(f"'{file}', which the script of the particles includes, is not in {case.folder}")
         missing.append(file)
         return
     for line, words in _commands(case.text(file)):

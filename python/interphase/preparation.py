@@ -5,21 +5,22 @@ Every function ends the program with a message that says what is wrong where a n
 """
 
 import math
-import re
 import sys
 
+from interphase import parameters
 from interphase.commands import bed
+from interphase.input_error import InputError
 
-PARAMETERS = "parameters"
 # Methods that track every particle, and their counterparts for parcels
 PARCELS_INSTEAD = {"DEM": "CGPM", "TDHS": "CGHS"}
 
 
 def values():
     """{name: text} of the file `parameters` in the current folder."""
-    with open(PARAMETERS, encoding="utf-8") as file:
-        text = re.sub(r"//.*|/\*.*?\*/", "", file.read())
-    return dict(re.findall(r"(\w+)\s+([^;\s]+)\s*;", text))
+    try:
+        return parameters.read(parameters.PARAMETERS)
+    except InputError as error:
+        sys.exit(f"prepare: {error}")
 
 
 def number(value, key, holds=math.isfinite, demand="a finite number"):

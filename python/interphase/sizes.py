@@ -9,14 +9,12 @@ import math
 from dataclasses import dataclass
 from statistics import NormalDist
 
-
-class BadSizes(Exception):
-    """The distribution is none; the message says why."""
+from interphase.input_error import InputError
 
 
 def real_number(value, what, demand="a positive number"):
     if not (math.isfinite(value) and value > 0):
-        raise BadSizes(f"{what} must be {demand}, got {value:g}")
+        raise InputError(f"{what} must be {demand}, got {value:g}")
     return value
 
 
@@ -34,7 +32,7 @@ class Table:
         for diameter, share in zip(self.diameters, self.shares):
             real_number(share, f"the share of {diameter:g} m")
         if len(set(self.diameters)) != len(self.diameters):
-            raise BadSizes("a diameter stands twice in the table")
+            raise InputError("a diameter stands twice in the table")
 
     def number_shares(self):
         """Of particles, summing up to 1."""
@@ -50,7 +48,7 @@ class Table:
             counts[k] += 1
         for diameter, n in zip(self.diameters, counts):
             if n == 0:
-                raise BadSizes(f"none of {count} particles would be of {diameter:g} m; take more, or another table")
+                raise InputError(f"none of {count} particles would be of {diameter:g} m; take more, or another table")
         return counts
 
 
@@ -67,9 +65,9 @@ class Lognormal:
     def __post_init__(self):
         real_number(self.median, "the median diameter")
         if not 1 < self.deviation < 10:
-            raise BadSizes(f"the geometric standard deviation must be above 1 and below 10, got {self.deviation:g}")
+            raise InputError(f"the geometric standard deviation must be above 1 and below 10, got {self.deviation:g}")
         if not 0 <= self.low < self.high:
-            raise BadSizes(f"nothing lies between the cuts at {self.low:g} and {self.high:g} m")
+            raise InputError(f"nothing lies between the cuts at {self.low:g} and {self.high:g} m")
 
     def number_median(self):
         """Hatch and Choate, J. Franklin Inst. 207 (1929) 369."""
@@ -84,7 +82,7 @@ class Lognormal:
 
         low, high = uncut(self.low), uncut(self.high)
         if high - low < 1e-9:
-            raise BadSizes(f"the cuts at {self.low:g} and {self.high:g} m leave nothing of the distribution")
+            raise InputError(f"the cuts at {self.low:g} and {self.high:g} m leave nothing of the distribution")
         return min(1.0, max(0.0, (uncut(diameter) - low) / (high - low)))
 
     def particles(self, count):
@@ -110,24 +108,24 @@ def tracked(distribution, count, weights=(1.0,), type_per_size=False):
     """Spheres that stand for `count` real particles. `weights`: one, or for a table one of each size."""
     for weight in weights:
         if not 1 <= weight < math.inf:
-            raise BadSizes(f"a weight counts real particles per tracked one: 1 or more, got {weight:g}")
+            raise InputError(f"a weight counts real particles per tracked one: 1 or more, got {weight:g}")
     if isinstance(distribution, Lognormal):
         if len(weights) != 1 or type_per_size:
-            raise BadSizes("a lognormal distribution has one weight and one type for all its sizes")
+            raise InputError("a lognormal distribution has one weight and one type for all its sizes")
         n = round(count / weights[0])
         if n < 1:
-            raise BadSizes(f"{count} particles are less than a parcel of {weights[0]:g}")
+            raise InputError(f"{count} particles are less than a parcel of {weights[0]:g}")
         return [Spheres(d * weights[0] ** (1 / 3), 1, weights[0]) for d in distribution.particles(n)]
     sizes = len(distribution.diameters)
     if len(weights) not in (1, sizes):
-        raise BadSizes(f"{len(weights)} weights for {sizes} sizes; give one, or one of each")
+        raise InputError(f"{len(weights)} weights for {sizes} sizes; give one, or one of each")
     each = weights if len(weights) == sizes else weights * sizes
     if len(set(each)) > 1 and not type_per_size:
-        raise BadSizes("weights that differ need a type of their own for each size: LIGGGHTS's commands tell them apart by it")
+        raise InputError("weights that differ need a type of their own for each size: LIGGGHTS's commands tell them apart by it")
     found = []
     for k, (diameter, real, weight) in enumerate(zip(distribution.diameters, distribution.counts(count), each)):
         n = round(real / weight)
         if n < 1:
-            raise BadSizes(f"{real} particles of {diameter:g} m are less than a parcel of {weight:g}")
+            raise InputError(f"{real} particles of {diameter:g} m are less than a parcel of {weight:g}")
         found.append(Spheres(diameter * weight ** (1 / 3), n, weight, k + 1 if type_per_size else 1))
     return found

@@ -13,7 +13,7 @@ import tempfile
 import numpy
 
 from interphase import foam_field, foam_file, launch
-from interphase.case_folder import CONTROL, PARAMETERS, CaseError, Dictionaries
+from interphase.case_folder import CONTROL, PARAMETERS, Dictionaries
 from interphase.input_error import InputError
 from interphase.starting_run import SAME_TIME
 
@@ -187,7 +187,7 @@ def _fixed_pressures(case):
             value = re.sub(r"\$[:.]*\{?(\w+)\}?", lambda macro: _parameter(numbers, macro), entries.get(GIVES.get(entries.get("type")), ""))
             if (number := re.fullmatch(r"uniform\s+([-+.\deE]+)", value)):
                 found[foam_file.unquoted(patch.key)] = float(number[1])
-    except (foam_file.FoamFileError, CaseError):
+    except InputError:
         return {}
     return found
 

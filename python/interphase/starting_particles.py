@@ -11,8 +11,7 @@ import os
 import numpy
 
 from interphase import particle_file
-from interphase.case_folder import Dictionaries, CaseError
-from interphase.foam_file import FoamFileError
+from interphase.case_folder import Dictionaries
 from interphase.input_error import InputError
 from interphase.particle_script import particle_source
 
@@ -25,30 +24,30 @@ CONVENTION = "the particles of a run go into the one file that the script reads 
 
 
 def check_script(source, name):
-    """CaseError where a script has no place for particles of another run, or would change them."""
+    """InputError where a script has no place for particles of another run, or would change them."""
     if source.others:
         what = "also makes or changes particles" if source.file else "makes its particles itself"
-        raise CaseError(f"--from: the script of {name} {what} ({'; '.join(source.others[:3])}): {CONVENTION}; "
+        raise InputError(f"--from: the script of {name} {what} ({'; '.join(source.others[:3])}): {CONVENTION}; "
                         "take that out of the script" + ("" if source.file else " and put `read_data dem/bed.data` in its place"))
     if source.file is None:
-        raise CaseError(f"--from: the script of {name} reads no particles: {CONVENTION}; add `read_data dem/bed.data` and the file")
+        raise InputError(f"--from: the script of {name} reads no particles: {CONVENTION}; add `read_data dem/bed.data` and the file")
 
 
 def check_weight(start, weight, name):
-    """CaseError where tracked spheres of the run stand for other numbers of particles than those of the case."""
+    """InputError where tracked spheres of the run stand for other numbers of particles than those of the case."""
     own = start.particles.quantities.get("weight")
     if own is not None and (own != weight).any():
-        raise CaseError(f"--from: {start.where}: spheres stand for {own.min():g} to {own.max():g} particles, and {name} has weight "
+        raise InputError(f"--from: {start.where}: spheres stand for {own.min():g} to {own.max():g} particles, and {name} has weight "
                         f"{weight:g} for all; parcels can neither be split nor joined: start from a run of one weight, {weight:g}")
     if own is None and start.weight is None:
-        raise CaseError(f"--from: {start.folder} tells its weight neither in results.h5 nor in run.json: it is no whole record of a run")
+        raise InputError(f"--from: {start.folder} tells its weight neither in results.h5 nor in run.json: it is no whole record of a run")
     if own is None and start.weight != weight:
-        raise CaseError(f"--from: spheres of {start.folder} stand for {start.weight:g} particles each, and {name} has weight {weight:g}; "
+        raise InputError(f"--from: spheres of {start.folder} stand for {start.weight:g} particles each, and {name} has weight {weight:g}; "
                         f"parcels can neither be split nor joined: give {_with(start.weight)}, or start from a run of weight {weight:g}")
 
 
 def check_springs(start, method):
-    """CaseError where springs would begin with overlaps far deeper than they are made for."""
+    """InputError where springs would begin with overlaps far deeper than they are made for."""
     if method not in OF_SPRINGS or start.method in OF_SPRINGS:
         return
     from interphase import bed_statistics  # scipy
@@ -57,7 +56,7 @@ def check_springs(start, method):
     deep = depths > DEEPEST
     if deep.any():
         parcels = start.weight != 1
-        raise CaseError(
+        raise InputError(
             f"--from: {deep.sum()} pairs of {start.where} overlap by more than {100 * DEEPEST:g} % of a radius, the deepest by "
             f"{100 * depths.max():.3g} %: "
             f"the springs of {method} would burst the bed apart. Let hard spheres part them first: tools/run ... --method "
@@ -71,7 +70,7 @@ def _with(weight):
 def put(start, folder, name, moved=0.0):
     """Write the particles of the `StartingRun` into the file of the prepared case in `folder`, all moved by `moved` [m] along x.
 
-    Returns the number of spheres that the file held before. InputError or CaseError where they do not belong there.
+    Returns the number of spheres that the file held before. InputError where they do not belong there.
     """
     source = particle_source(Dictionaries(folder))
     check_script(source, name)
@@ -142,7 +141,7 @@ def _file_of(folder):
     try:
         source = particle_source(Dictionaries(folder), missing=[])
         return (particle_file.read(os.path.join(folder, source.file)) if source.file else None), source.inserts
-    except (CaseError, FoamFileError, InputError):
+    except InputError:
         return None, False
 
 

@@ -5,26 +5,27 @@ import os
 import re
 
 from interphase import foam_field, starting_gas, starting_particles, starting_run
-from interphase.case_folder import CONTROL, COUPLING, CaseError, Dictionaries
+from interphase.case_folder import CONTROL, COUPLING, Dictionaries
+from interphase.input_error import InputError
 from interphase.particle_script import particle_source
 
 
 def checked(text, case, name, method, weight, folder):
     """The `StartingRun` that RUN[@time] names, for `case` (Dictionaries) with `method` and `weight`, to run in `folder`.
 
-    InputError or CaseError for what can be seen before the case is prepared.
+    InputError for what can be seen before the case is prepared.
     """
     start = starting_run.find(text)
     inside = [os.path.realpath(path) for path in (start.folder, folder)]
     if os.path.commonpath(inside) in inside:
-        raise CaseError(f"--from: {start.folder} and the new run's folder {folder} must lie apart; give another one by --out DIR")
+        raise InputError(f"--from: {start.folder} and the new run's folder {folder} must lie apart; give another one by --out DIR")
     starting_particles.check_weight(start, weight, name)
     starting_particles.check_springs(start, method)
     source = particle_source(case, missing=[])
     if source.file or source.others:
         starting_particles.check_script(source, name)
     if begins := _begins_late(case):
-        raise CaseError(f"--from: {name} begins at {begins}; the clock of a run that starts from another one begins at 0: set startFrom "
+        raise InputError(f"--from: {name} begins at {begins}; the clock of a run that starts from another one begins at 0: set startFrom "
                         "startTime and startTime 0 in system/controlDict")
     return start
 

@@ -19,6 +19,7 @@ import unittest
 
 from interphase import case_folder, ending, foam_file, launch
 from interphase.commands import run
+from interphase.input_error import InputError
 
 REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 
@@ -700,7 +701,7 @@ nested { key 2; }
 class Cases(Bench):
     def test_a_mistyped_case_is_guessed_and_all_are_listed(self):
         write(os.path.join(self.root, "sscp1/system/couplingDict"), "")
-        with self.assertRaises(case_folder.CaseError) as caught:
+        with self.assertRaises(InputError) as caught:
             case_folder.checked_case("/x/ssccp1", self.root)
         self.assertRegex(str(caught.exception), r"did you mean '[^']*sscp1'\?")
         self.assertRegex(str(caught.exception), r"cases here:\n  .*bed\n  .*sscp1")

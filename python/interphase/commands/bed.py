@@ -28,6 +28,7 @@ import sys
 from dataclasses import dataclass
 
 from interphase import sizes
+from interphase.input_error import InputError
 
 # Places of the spheres in a unit cell, as fractions of its edge, symmetric about its middle, so that the same
 # lattice starts and ends half a spacing from the faces of the region. The bottom ones first.
@@ -37,10 +38,6 @@ LATTICES = {
     "fcc": ((0.25, 0.25, 0.25), (0.75, 0.75, 0.25), (0.75, 0.25, 0.75), (0.25, 0.75, 0.75)),
 }
 NEAREST = {"cubic": 1.0, "bcc": math.sqrt(3) / 2, "fcc": math.sqrt(2) / 2}  # distance of neighbours per edge
-
-
-class DoesNotFit(Exception):
-    """The asked-for bed is impossible; the message says why and what would be possible."""
 
 
 @dataclass(frozen=True)
@@ -55,7 +52,7 @@ class Box:
         box = cls(tuple(six[0::2]), tuple(six[1::2]))
         for axis, low, high in zip("xyz", box.low, box.high):
             if not low < high:
-                raise DoesNotFit(f"box is empty along {axis}: {axis}lo = {low:g} m, {axis}hi = {high:g} m")
+                raise InputError(f"box is empty along {axis}: {axis}lo = {low:g} m, {axis}hi = {high:g} m")
         return box
 
     @property
@@ -92,16 +89,16 @@ def loose_bed(count, diameter, box, fill, jitter, seed):
     solid = count * sphere_volume(diameter) / (box.lengths[0] * box.lengths[1])
     what = f"{count} spheres of {diameter:g} m"
     if fill > height * (1 + 1e-12):
-        raise DoesNotFit(f"{what} would reach {fill:g} m above the bottom, the box is {height:g} m high")
+        raise InputError(f"{what} would reach {fill:g} m above the bottom, the box is {height:g} m high")
     sites, gap = loose_sites(count, diameter, box, fill)
     if sites is None:
-        raise DoesNotFit(
+        raise InputError(
             f"the box is narrower than one sphere of {diameter:g} m: {box.lengths[0]:g} x {box.lengths[1]:g} m"
         )
     if gap < 0:
         nx, ny = int(box.lengths[0] / diameter), int(box.lengths[1] / diameter)
         least = -(-count // (nx * ny)) * diameter
-        raise DoesNotFit(
+        raise InputError(
             f"{what} do not fit into {fill:g} m above the bottom (packing {solid / fill:.4g}) without overlap; "
             f"a lattice in this box needs {least:.6g} m (packing {solid / least:.4g})"
             + ("" if least <= height else f", which is more than its height of {height:g} m")
@@ -133,14 +130,14 @@ def grid_bed(voidage, lattice, diameter, region):
     if NEAREST[lattice] * edge < diameter * (1 - 1e-12):
         touching = diameter / NEAREST[lattice]
         least = 1 - len(places) * sphere_volume(diameter) / touching**3
-        raise DoesNotFit(
+        raise InputError(
             f"spheres on a {lattice} lattice overlap below a voidage of {least:.4g}, asked for {voidage:g}"
         )
     cells = []
     for axis, length in zip("xyz", region.lengths):
         n = round(length / edge)
         if n < 1 or abs(length / n - edge) > 1e-6 * edge:
-            raise DoesNotFit(
+            raise InputError(
                 f"along {axis} the region ({length:.9g} m) holds {length / edge:.6g} unit cells of {edge:.9g} m "
                 f"(voidage {voidage:g}, {lattice}); make it a whole number, say {max(n, 1) * edge:.9g} m"
             )
@@ -163,22 +160,19 @@ def grid_bed(voidage, lattice, diameter, region):
 
 def mixed_bed(spheres, region, fill, packing, seed):
     """Atoms (type, diameter, x, y, z) of sizes.Spheres, from the bottom up, evenly in `region` up to `fill` or at `packing`."""
-    from interphase import even_bed, mixed_bed as mixed  # numpy and scipy, which other beds do not need
+    from interphase import mixed_bed as mixed  # numpy and scipy, which other beds do not need
 
     diameters = [s.diameter for s in spheres for _ in range(s.count)]
     solid = math.fsum(map(sphere_volume, diameters))
     area = region.lengths[0] * region.lengths[1]
     fill = fill or solid / (packing * area)
     if fill > region.lengths[2] * (1 + 1e-12):
-        raise DoesNotFit(
+        raise InputError(
             f"{len(diameters)} spheres would reach {fill:g} m above the bottom, the box is {region.lengths[2]:g} m high"
         )
     if solid >= 0.74 * fill * area:
-        raise DoesNotFit(f"{len(diameters)} spheres in {fill:g} m above the bottom are a packing of {solid / (fill * area):.3g}")
-    try:
-        centres = mixed.mixed_bed(diameters, region.low, (*region.high[:2], region.low[2] + fill), seed)
-    except even_bed.NoRoom as error:
-        raise DoesNotFit(str(error)) from None
+        raise InputError(f"{len(diameters)} spheres in {fill:g} m above the bottom are a packing of {solid / (fill * area):.3g}")
+    centres = mixed.mixed_bed(diameters, region.low, (*region.high[:2], region.low[2] + fill), seed)
     kinds = [s.type for s in spheres for _ in range(s.count)]
     return sorted(zip(kinds, diameters, *(map(float, along) for along in centres.T)), key=lambda atom: atom[4])
 
@@ -293,10 +287,10 @@ def mixture(options):
         try:
             table = [(float(diameter), float(share)) for diameter, share in pairs]
         except ValueError:
-            raise sizes.BadSizes(f"--sizes wants D:SHARE ..., two numbers each, got {' '.join(options.sizes)}") from None
+            raise InputError(f"--sizes wants D:SHARE ..., two numbers each, got {' '.join(options.sizes)}") from None
         distribution = sizes.Table(*zip(*table), by_mass)
         if options.type_per_size and options.types < len(table):
-            raise sizes.BadSizes(f"--types {options.types} is less than the {len(table)} types that --type-per-size gives")
+            raise InputError(f"--types {options.types} is less than the {len(table)} types that --type-per-size gives")
     return sizes.tracked(distribution, options.count, tuple(options.weights or (1.0,)), options.type_per_size)
 
 
@@ -308,7 +302,7 @@ def main(argv=None):
         slack = 1e-9 * max(box.lengths)
         for a, axis in enumerate("xyz"):
             if region.low[a] < box.low[a] - slack or region.high[a] > box.high[a] + slack:
-                raise DoesNotFit(
+                raise InputError(
                     f"the region ({region.low[a]:g} to {region.high[a]:g} m) leaves the box "
                     f"({box.low[a]:g} to {box.high[a]:g} m) along {axis}"
                 )
@@ -320,7 +314,7 @@ def main(argv=None):
         elif options.grid:
             centres = grid_bed(options.voidage, options.lattice, options.diameter, region)
             if options.count not in (None, len(centres)):
-                raise DoesNotFit(
+                raise InputError(
                     f"the lattice has {len(centres)} spheres in this region, --count asks for {options.count}"
                 )
         else:
@@ -330,7 +324,7 @@ def main(argv=None):
         if not options.mixed:
             atoms = [(1, options.diameter, *centre) for centre in centres]
         write(options.out, atoms, options.density, box, options.types)
-    except (DoesNotFit, sizes.BadSizes) as error:
+    except InputError as error:
         sys.exit(f"bed: {error}")
     except OSError as error:
         sys.exit(f"bed: cannot write '{options.out}': {error.strerror}")

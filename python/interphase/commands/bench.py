@@ -34,8 +34,7 @@ import tempfile
 
 import h5py
 
-from interphase import foam_file
-from interphase import launch
+from interphase import launch, parameters
 from interphase.tree import CASES, REPOSITORY, TOOLS
 
 
@@ -44,8 +43,7 @@ CASE = os.path.join(CASES, "sscp1")
 
 def parameter(name):
     """Of sscp1, a number."""
-    with open(os.path.join(CASE, "parameters")) as stream:
-        return float(foam_file.value(stream.read(), name))
+    return float(parameters.read(os.path.join(CASE, parameters.PARAMETERS))[name])
 
 
 def coupled_run(folder, method, until, settings):
@@ -64,11 +62,9 @@ def coupled_run(folder, method, until, settings):
 
 def native_loop_seconds(folder, meta):
     """Time of the step loop of the packaged liggghts on the case that `folder` holds."""
-    with open(os.path.join(folder, "parameters")) as stream:
-        text = stream.read()
     variables = []
-    for entry in foam_file.parse(text).entries:
-        variables += ["-var", entry.key, entry.value]
+    for name, value in parameters.read(os.path.join(folder, parameters.PARAMETERS)).items():
+        variables += ["-var", name, value]
     steps = round(float(meta["simulated_time"]) / float(meta["solid_step"]))
     script = os.path.join(folder, "dem", "in.native")
     with open(script, "w") as stream:

@@ -32,6 +32,7 @@ import subprocess
 import sys
 from dataclasses import dataclass, replace
 
+from interphase import parameters
 from interphase.tree import REPOSITORY, TOOLS
 
 # Divides every gas step below; of the shortest collision of sscp1: 1/40 for parcels of 8, 1/14 for single particles [s].
@@ -175,17 +176,10 @@ def run_once(folder, environment, binary):
 
 def field(folder, name):
     """The cells' values of the last time folder, [n] or [n, 3]."""
-    import numpy
+    from interphase import foam_field
 
     times = [t for t in os.listdir(folder) if re.fullmatch(r"[0-9.e+-]+", t)]
-    path = os.path.join(folder, max(times, key=float), name)
-    with open(path, encoding="ascii") as file:
-        text = file.read()
-    found = re.search(r"internalField\s+nonuniform\s+List<(\w+)>\s*(\d+)\s*\((.*?)\n\)", text, re.DOTALL)
-    if found is None:
-        sys.exit(f"gas-study: {path} holds no list of cell values")
-    values = numpy.array(found[3].replace("(", " ").replace(")", " ").split(), dtype=float)
-    return values.reshape(int(found[2]), -1)
+    return foam_field.internal_field(os.path.join(folder, max(times, key=float), name)).values
 
 
 def differences(folder, against, outlet_pressure):
@@ -270,9 +264,7 @@ def main():
             show(done := done + 1, total)
     print(file=sys.stderr)
 
-    with open(os.path.join(start, "parameters"), encoding="utf-8") as file:
-        outlet = re.search(r"outletPressure\s+([^;\s]+)", file.read())
-    outlet = float(outlet[1]) if outlet else 0.0
+    outlet = float(parameters.read(os.path.join(start, parameters.PARAMETERS)).get("outletPressure", 0.0))
     noise = differences(chaos, folder_of[REFERENCE], outlet)
     print(f"chaos (reference with particles moved by 1e-9 m): "
           f"U {short(noise[0])}, phi {short(noise[1])}, p {short(noise[2])}\n")

@@ -6,6 +6,7 @@ import os
 import re
 import sys
 
+from interphase.input_error import InputError
 from interphase.tree import REPOSITORY, TOOLS
 
 TEMPLATE = os.path.join(TOOLS, "templates", "plugin")
@@ -23,10 +24,6 @@ README.md with all commands. plugins/README.md tells what a plug-in may do.
 exit code: 0 when it is written, 2 where the name or the folder is refused."""
 
 
-class Refusal(Exception):
-    """What is asked for cannot be done; the message is meant for the user."""
-
-
 def arguments():
     parser = argparse.ArgumentParser(
         prog="tools/new-plugin", description=__doc__, epilog=EXAMPLE, formatter_class=argparse.RawDescriptionHelpFormatter
@@ -38,25 +35,25 @@ def arguments():
 
 def checked_name(name):
     if not re.fullmatch(r"[a-z][a-z0-9_]*", name):
-        raise Refusal(f"the name '{name}' will not do: give lower-case letters, digits and '_', a letter first, "
+        raise InputError(f"the name '{name}' will not do: give lower-case letters, digits and '_', a letter first, "
                       "since the library, the class and the style are called after it")  # fmt: skip
     if name in TAKEN:
-        raise Refusal(f"the name '{name}' is one that CMake keeps for itself: give another one, such as my_{name}")
+        raise InputError(f"the name '{name}' is one that CMake keeps for itself: give another one, such as my_{name}")
     return name
 
 
 def checked_folder(given):
     folder = os.path.realpath(given)
     if os.path.commonpath([folder, REPOSITORY]) == REPOSITORY:
-        raise Refusal(f"{given} is inside the tree of interphase ({REPOSITORY}): give a folder elsewhere as DIR. "
+        raise InputError(f"{given} is inside the tree of interphase ({REPOSITORY}): give a folder elsewhere as DIR. "
                       "Plug-ins that belong to interphase are described in plugins/README.md")  # fmt: skip
     unfit = re.search(r"[\s\"';{}$\\]", folder)
     if unfit:
-        raise Refusal(f"'{folder}': OpenFOAM bears no '{unfit[0]}' in a path; give another folder as DIR")
+        raise InputError(f"'{folder}': OpenFOAM bears no '{unfit[0]}' in a path; give another folder as DIR")
     if os.path.lexists(given) and not os.path.isdir(folder):
-        raise Refusal(f"{given} is a file: give a folder as DIR")
+        raise InputError(f"{given} is a file: give a folder as DIR")
     if os.path.isdir(folder) and os.listdir(folder):
-        raise Refusal(f"{given} is not empty, and what is there stays: give an empty or a new folder as DIR")
+        raise InputError(f"{given} is not empty, and what is there stays: give an empty or a new folder as DIR")
     return folder
 
 
@@ -87,7 +84,7 @@ def main():
         write(folder, {"NAME": name, "CLASS": "".join(part.capitalize() for part in name.split("_")),
                        "INTERPHASE_BUILD": build, "INTERPHASE_TOOLS": TOOLS})  # fmt: skip
     except OSError as error:
-        raise Refusal(f"{folder} cannot be written: {error}") from None
+        raise InputError(f"{folder} cannot be written: {error}") from None
     print(f"{name} is in {folder}. Next:\n")
     if not os.path.exists(os.path.join(build, "interphaseConfig.cmake")):
         print(f"  {os.path.join(TOOLS, 'setup')}      (builds interphase)")
@@ -99,6 +96,6 @@ def main():
 if __name__ == "__main__":
     try:
         sys.exit(main())
-    except Refusal as refused:
+    except InputError as refused:
         print(f"tools/new-plugin: error: {refused}", file=sys.stderr)
         sys.exit(2)

@@ -30,10 +30,6 @@ COLOURS = "coolwarm"  # diverging, and at rest grey: visible on white
 FADE = 0.55
 
 
-class PictureError(Exception):
-    """There is nothing to draw; the message is meant for the user."""
-
-
 @dataclass
 class Snapshot:
     """The tracked spheres at one time [s]: position [n, 3] and diameter [n] in m, vertical velocity [n] in m/s."""
@@ -77,7 +73,7 @@ def snapshots(file):
     """(time [s], group) of every whole snapshot in `file`, in order of time."""
     groups = [(time, group) for time, _, group in whole_snapshots(file)]
     if not groups:
-        raise PictureError(f"{file.filename} holds no snapshots yet")
+        raise InputError(f"{file.filename} holds no snapshots yet")
     return groups
 
 
@@ -152,7 +148,7 @@ def view(shown, domain):
     # The empty one keeps a snapshot without particles from having no extents.
     boxes = [(s.position - s.diameter[:, None] / 2, s.position + s.diameter[:, None] / 2) for s in shown if len(s.diameter)]
     if not boxes and domain is None:
-        raise PictureError("the snapshots hold no particles")
+        raise InputError("the snapshots hold no particles")
     low = np.min([b[0].min(axis=0) for b in boxes], axis=0) if boxes else domain[0]
     high = np.max([b[1].max(axis=0) for b in boxes], axis=0) if boxes else domain[1]
     if domain is None:
@@ -270,10 +266,10 @@ def draw(path, record, shown, scale, box, closed, depth, with_pressure):
 def main():
     given = arguments()
     if not os.path.isdir(given.run):
-        raise PictureError(f"{given.run}: no such folder; give a run's folder, such as runs/sscp1-CGPM-w8")
+        raise InputError(f"{given.run}: no such folder; give a run's folder, such as runs/sscp1-CGPM-w8")
     source = os.path.join(given.run, "particles.h5")
     if not os.path.isfile(source):
-        raise PictureError(f"{given.run} holds no particles.h5: no run of interphase has written particles there")
+        raise InputError(f"{given.run} holds no particles.h5: no run of interphase has written particles there")
     record = read_record(given.run)
     plt.rcParams.update({"font.size": 8, "axes.edgecolor": INK, "axes.linewidth": 0.8, "axes.labelcolor": INK,
                          "xtick.color": INK, "ytick.color": INK, "text.color": INK})
@@ -311,6 +307,6 @@ def film(given, record, all_of_them):
 if __name__ == "__main__":
     try:
         main()
-    except (PictureError, InputError, OSError, KeyError) as error:
+    except (InputError, OSError, KeyError) as error:
         print(f"tools/picture: error: {error}", file=sys.stderr)
         sys.exit(1)

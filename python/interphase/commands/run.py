@@ -14,8 +14,8 @@ import subprocess
 import sys
 import time
 
-from interphase import case_folder, earlier_run, ending, foam_file, launch, mesh_choice, parts
-from interphase.case_folder import CONTROL, COUPLING, PARAMETERS, CaseError
+from interphase import case_folder, earlier_run, ending, launch, mesh_choice, parts
+from interphase.case_folder import CONTROL, COUPLING, PARAMETERS
 from interphase.input_error import InputError
 from interphase.missing import words_on
 from interphase.tree import CASES, REPOSITORY, TOOLS, with_package
@@ -92,14 +92,14 @@ def arguments():
     parser.add_argument("--quiet", action="store_true", help="print errors only; the program's output is in its log")
     given = parser.parse_args()
     if given.case is None:
-        raise CaseError(f"which case? Usage: tools/run CASE (see --help); {case_folder.listing(CASES)}")
+        raise InputError(f"which case? Usage: tools/run CASE (see --help); {case_folder.listing(CASES)}")
     if given.ranks is not None and given.ranks < 1:
-        raise CaseError(f"--ranks {given.ranks}: at least one rank is needed")
+        raise InputError(f"--ranks {given.ranks}: at least one rank is needed")
     if given.wall_limit is not None and not is_time(given.wall_limit):
-        raise CaseError(f"--wall-limit {given.wall_limit}: give the seconds that the run may take, above 0")
+        raise InputError(f"--wall-limit {given.wall_limit}: give the seconds that the run may take, above 0")
     for option, there in (("--overwrite", given.overwrite), ("--set", given.settings), ("--from", given.start)):
         if given.resume and there:
-            raise CaseError(f"--resume and {option}: a run goes on as it is; leave one of them away")
+            raise InputError(f"--resume and {option}: a run goes on as it is; leave one of them away")
     return given
 
 
@@ -116,7 +116,7 @@ def split_setting(setting):
     left, equals, value = setting.partition("=")
     left = left.strip()
     if not equals or not left:
-        raise CaseError(f"--set {setting}: give KEY=VALUE or FILE:ENTRY=VALUE")
+        raise InputError(f"--set {setting}: give KEY=VALUE or FILE:ENTRY=VALUE")
     file, colon, entry = left.partition(":")
     return (os.path.normpath(file), entry, value) if colon else (PARAMETERS, left, value)
 
@@ -134,16 +134,16 @@ def apply_settings(case, given):
         option = by_option.get((file, entry))
         if option:
             if chosen[option] not in (None, value.strip()):
-                raise CaseError(f"--set {setting} contradicts --{option} {chosen[option]}: give one of them")
+                raise InputError(f"--set {setting} contradicts --{option} {chosen[option]}: give one of them")
             chosen[option] = value.strip()
             continue
         try:
             case.set(file, entry, value)
-        except CaseError as error:
-            raise CaseError(f"--set {setting}: {error}") from None
+        except InputError as error:
+            raise InputError(f"--set {setting}: {error}") from None
     if chosen["until"] is not None:
         if not is_time(chosen["until"]):
-            raise CaseError(f"--until {chosen['until']}: give a time in s, above 0")
+            raise InputError(f"--until {chosen['until']}: give a time in s, above 0")
         case.set_at_source(CONTROL, "endTime", chosen["until"])
     return case_folder.set_method_and_weight(case, chosen["method"], chosen["weight"])
 
@@ -157,23 +157,23 @@ def check_folder(folder, case_path, overwrite):
     """Refuse a folder that the engines cannot take, or that holds what must not be lost."""
     unfit = re.search(r"[\s\"';{}$\\]", folder)
     if unfit:
-        raise CaseError(
+        raise InputError(
             f"'{folder}': OpenFOAM bears no '{unfit[0]}' in a path; give another folder by --out DIR"
         )
     inside = os.path.realpath(folder)
     case = os.path.realpath(case_path)
     if os.path.commonpath([inside, case]) in (inside, case):
-        raise CaseError(f"{folder}: the run's folder and the case {case_path} must lie apart; give another --out DIR")
+        raise InputError(f"{folder}: the run's folder and the case {case_path} must lie apart; give another --out DIR")
     if not os.path.lexists(folder):
         return
     if not os.path.isdir(folder):
-        raise CaseError(f"{folder} is a file; give another folder by --out DIR")
+        raise InputError(f"{folder} is a file; give another folder by --out DIR")
     if not os.listdir(folder):
         return
     if not os.path.isfile(os.path.join(folder, MARK)):
-        raise CaseError(f"{folder} holds files that are no run of tools/run: they stay; give another folder by --out DIR")
+        raise InputError(f"{folder} holds files that are no run of tools/run: they stay; give another folder by --out DIR")
     if not overwrite:
-        raise CaseError(f"{folder} holds an earlier run: --overwrite replaces it, --out DIR writes elsewhere")
+        raise InputError(f"{folder} holds an earlier run: --overwrite replaces it, --out DIR writes elsewhere")
 
 
 def program(quiet):
@@ -182,7 +182,7 @@ def program(quiet):
     if chosen:
         found = shutil.which(chosen)
         if found is None:
-            raise CaseError(f"INTERPHASE_BIN={chosen} is no executable file")
+            raise InputError(f"INTERPHASE_BIN={chosen} is no executable file")
         return os.path.abspath(found)
     setup = os.path.join(TOOLS, "setup")
     # With --quiet what it prints is shown only if it fails.
@@ -204,7 +204,7 @@ def start_of(given, case, name, method, weight, folder):
     try:
         from interphase import starting_point
     except ModuleNotFoundError as missing:
-        raise CaseError(f"--from: {words_on(missing)}") from None
+        raise InputError(f"--from: {words_on(missing)}") from None
     return starting_point.checked(given.start, case, name, method, weight, folder)
 
 
@@ -351,7 +351,7 @@ def write_record(folder, record):
 if __name__ == "__main__":
     try:
         sys.exit(main())
-    except (CaseError, InputError, foam_file.FoamFileError) as refused:
+    except InputError as refused:
         print(f"tools/run: error: {refused}", file=sys.stderr)
         sys.exit(2)
     except launch.StepFailed as failed:
