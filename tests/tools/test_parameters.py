@@ -48,7 +48,7 @@ class Values(unittest.TestCase):
         for path in glob.glob(os.path.join(REPOSITORY, "cases", "*", "parameters")):
             with self.subTest(path):
                 found = parameters.read(path)
-                self.assertGreater(parameters.numbers(found["diameter"]), 0)
+                self.assertGreater(parameters.numbers(found["particleDensity"]), 0)
                 self.assertFalse([value for value in found.values() if "/*" in value or "//" in value or "\n" in value])
 
     def test_a_file_that_is_none_is_named_with_its_line(self):
