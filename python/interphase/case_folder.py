@@ -72,6 +72,11 @@ class Dictionaries:
         self._texts = {}
         self._changed = set()
 
+    def take(self, other):
+        """The texts and changes of `other`, of the same case."""
+        self._texts.update(other._texts)
+        self._changed |= other._changed
+
     def has(self, file):
         return file in self._texts or os.path.isfile(os.path.join(self.folder, file))
 

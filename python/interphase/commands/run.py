@@ -6,7 +6,6 @@ is needed to start: tools/setup installs the rest.
 """
 
 import argparse
-import json
 import os
 import re
 import shutil
@@ -14,14 +13,13 @@ import subprocess
 import sys
 import time
 
-from interphase import case_folder, earlier_run, ending, launch, mesh_choice, parts
+from interphase import case_folder, earlier_run, ending, launch, mesh_choice, parts, run_state
 from interphase.case_folder import CONTROL, COUPLING, PARAMETERS
 from interphase.input_error import InputError
 from interphase.missing import words_on
+from interphase.run_state import MARK
 from interphase.tree import CASES, REPOSITORY, TOOLS, with_package
 
-
-MARK = "run.json"  # a folder with this file is a run of ours, and may be replaced on demand
 
 EXAMPLES = """examples:
   tools/run cases/sscp1
@@ -293,8 +291,11 @@ def main():
         parts.cut_anew(folder, given.ranks, gas, steps(folder, environment, say),
                        lambda words: print(f"tools/run: warning: {words}", file=sys.stderr))
         command = [*launch.command(binary, folder, given.ranks), "-resume"]
-        record = {**earlier, "ranks": given.ranks, "until": given.until or earlier["until"], "command": command, "environment": variables}
-        write_record(folder, record)  # a kill leaves the number of ranks that the folder is cut for
+        record = {**earlier, "ranks": given.ranks, "until": given.until or earlier["until"], "command": command, "environment": variables,
+                  "source": case_path, "process": run_state.this_process()}
+        for of_its_end in ("exit_code", "wall_time"):
+            record.pop(of_its_end, None)
+        run_state.write(folder, record)  # a kill leaves the number of ranks that the folder is cut for
         return run(given, name, folder, gas, command, record, earlier_run.free_log(folder), variables, environment, say)
 
     if os.path.isdir(folder) and os.listdir(folder):
@@ -302,9 +303,9 @@ def main():
         shutil.rmtree(folder)
     os.makedirs(folder, exist_ok=True)
     command = launch.command(binary, folder, given.ranks)
-    record = {"case": name, "method": method, "weight": weight, "ranks": given.ranks, "settings": given.settings,
+    record = {"case": name, "source": case_path, "process": run_state.this_process(), "method": method, "weight": weight, "ranks": given.ranks, "settings": given.settings,
               "until": given.until, "command": command, "environment": variables}
-    write_record(folder, record)
+    run_state.write(folder, record)
     case_folder.copy(case_path, folder)
     case.write_into(folder)
     say(f"{name}, {method}, weight {weight:g}, {given.ranks} rank{'s' * (given.ranks > 1)}, in {folder}")
@@ -312,7 +313,7 @@ def main():
     def begin(gas):
         from interphase import starting_point
         record["from"] = starting_point.put(start, folder, name, gas, environment, say)
-        write_record(folder, record)
+        run_state.write(folder, record)
 
     gas = prepare(case, folder, given.ranks, environment, say, begin if start else None)
 
@@ -328,7 +329,7 @@ def run(given, name, folder, gas, command, record, log, variables, environment, 
     started = time.time()
     passed_on = []
     code = launch.run(command, log, environment, folder, given.quiet, passed_on)
-    write_record(folder, {**record, "exit_code": code, "wall_time": round(time.time() - started, 3)})
+    run_state.write(folder, {**record, "exit_code": code, "wall_time": round(time.time() - started, 3)})
     go_on = ending.way_to_go_on(given.case, folder)
     stopped = ending.stopped_by(code, passed_on)
     if stopped:
@@ -340,12 +341,6 @@ def run(given, name, folder, gas, command, record, log, variables, environment, 
         return code
     finish(folder, name, gas, given.ranks, not given.no_picture, environment, say)
     return 0
-
-
-def write_record(folder, record):
-    with open(os.path.join(folder, MARK), "w", encoding="utf-8") as stream:
-        json.dump(record, stream, indent=2)
-        stream.write("\n")
 
 
 if __name__ == "__main__":
