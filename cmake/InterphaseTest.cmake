@@ -15,6 +15,10 @@ set(_interphase_test_environment
     OMP_NUM_THREADS=1
     "INTERPHASE_SOURCE=${PROJECT_SOURCE_DIR}"
     "INTERPHASE_BUILD=${PROJECT_BINARY_DIR}")
+# Tests in Python find the package and what other folders of tests share.
+set(_interphase_python_path python tests/program tests/plugins/mp_pic tests/plugins)
+list(TRANSFORM _interphase_python_path PREPEND "${PROJECT_SOURCE_DIR}/")
+list(JOIN _interphase_python_path ":" _interphase_python_path)
 if(OpenFOAM_PROJECT_DIR)
     list(APPEND _interphase_test_environment "WM_PROJECT_DIR=${OpenFOAM_PROJECT_DIR}")
 endif()
@@ -64,7 +68,7 @@ endfunction()
 interphase_add_python_test(NAME <name> FILE <test_*.py>)
 
 A file of Python's unittest as one ctest test. It finds the sources and the build folder in the environment variables
-INTERPHASE_SOURCE and INTERPHASE_BUILD. Comment lines of the file say how it runs:
+INTERPHASE_SOURCE and INTERPHASE_BUILD, and python/interphase by PYTHONPATH. Comment lines of the file say how it runs:
 
     # label: slow        ctest label (repeatable); tools/test leaves "slow" out unless asked
     # processors: 2      cores it keeps busy
@@ -91,7 +95,8 @@ function(interphase_add_python_test)
     endforeach()
     interphase_set_test_properties(${test_NAME} LABELS python ${labels} PROCESSORS ${processors} TIMEOUT ${timeout})
     # A bytecode cache would be written into the source tree.
-    set_property(TEST ${test_NAME} APPEND PROPERTY ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
+    set_property(TEST ${test_NAME} APPEND PROPERTY ENVIRONMENT
+        PYTHONDONTWRITEBYTECODE=1 "PYTHONPATH=${_interphase_python_path}")
 endfunction()
 
 # The time limit ends tests in which a rank waits for another one that has failed; sanitizers make four ranks on two cores slow.

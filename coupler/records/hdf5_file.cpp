@@ -7,7 +7,7 @@ namespace interphase {
 
 namespace {
 
-constexpr hsize_t rows_per_chunk = 1024;
+constexpr hsize_t rows_per_chunk = 256;  // a chunk is written whole whenever it has grown
 
 Hdf5Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose, "a property list"}; }
 

@@ -10,7 +10,7 @@ namespace interphase {
 namespace {
 
 constexpr double promised = 1;      // what rows wait at most [s]
-constexpr double patience = 0.6;    // of steps that are short: a flush takes 1 ms for a hundred columns
+constexpr double patience = 0.8;    // of steps that are short: a flush takes 1 ms for a hundred columns
 constexpr double least_ratio = 50;  // a disk that is slow gets a fiftieth of the time
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }

@@ -7,17 +7,14 @@ import math
 import os
 import re
 import runpy
-import sys
 import unittest
 
 import numpy
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "program"))
-
-import support  # noqa: E402
+import support
 
 CASE = os.path.join(support.SOURCE, "cases", "goldschmidt")
-COMPARE = runpy.run_path(os.path.join(CASE, "compare"))
+COMPARE = runpy.run_path(os.path.join(CASE, "compare.py"))
 POSITIONS = "/usr/share/doc/openfoam-examples/examples/lagrangian/MPPICFoam/Goldschmidt/constant/kinematicCloudPositions.gz"
 
 

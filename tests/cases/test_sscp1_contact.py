@@ -8,11 +8,12 @@ the numbers are those of its `parameters`, for particles and for parcels.
 
 import math
 import os
-import re
 import shutil
 import subprocess
 import tempfile
 import unittest
+
+import interphase.parameters
 
 CASE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "cases", "sscp1")
 EXPONENTS = {"none": 0, "cubeRoot": 1 / 3, "twoThirds": 2 / 3, "linear": 1}  # of a parcel's spring with its weight
@@ -47,16 +48,13 @@ run          {steps}
 
 
 def parameters():
-    with open(os.path.join(CASE, "parameters"), encoding="utf-8") as file:
-        text = re.sub(r"//.*", "", file.read())
-    return dict(re.findall(r"(\w+)\s+([^;\s]+)\s*;", text))
+    return interphase.parameters.read(os.path.join(CASE, "parameters"))
 
 
 def handed_over():
-    """Names of the variables that couplingDict hands to the script."""
-    with open(os.path.join(CASE, "system", "couplingDict"), encoding="utf-8") as file:
-        block = re.search(r"variables\s*\{(.*?)\}", file.read(), re.S).group(1)
-    return re.findall(r"(\w+)\s+\$", block)
+    """Names of the variables that couplingDict hands to the script as the case's parameters."""
+    variables = interphase.parameters.read(os.path.join(CASE, "system", "couplingDict"))["particles"]["variables"]
+    return [name for name, value in variables.items() if value.startswith("$")]
 
 
 class Meeting:

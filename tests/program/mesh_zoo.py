@@ -14,19 +14,16 @@ import functools
 import math
 import os
 import re
-import sys
 import tempfile
 import time
 import typing
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import foam_mesh  # noqa: E402
-import numpy  # noqa: E402
-import support  # noqa: E402
-import zoo_meshes as meshes  # noqa: E402
-import zoo_packings  # noqa: E402
-from zoo_packings import A, D, SPHERE, Packing, lattice, radii, rings  # noqa: E402
+import foam_mesh
+import numpy
+import support
+import zoo_meshes as meshes
+import zoo_packings
+from zoo_packings import A, D, SPHERE, Packing, lattice, radii, rings
 
 
 @dataclasses.dataclass

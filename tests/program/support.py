@@ -6,20 +6,18 @@ import re
 import shutil
 import signal
 import subprocess
-import sys
 import tempfile
 import unittest
 
 import h5py
 import numpy
 
+from interphase import foam_file, launch, parameters as scene_numbers
+
 SOURCE = os.environ.get("INTERPHASE_SOURCE") or os.path.realpath(os.path.join(os.path.dirname(__file__), "..", ".."))
 BUILD = os.environ.get("INTERPHASE_BUILD") or os.path.join(SOURCE, "build", "release")
 PROGRAM = os.path.join(BUILD, "interphase")
 TOOLS = os.path.join(SOURCE, "tools")
-sys.path.insert(0, TOOLS)
-
-from lib import foam_file, launch  # noqa: E402
 
 # Ranks that wait for one another for ever are ended here [s]; most runs take seconds.
 LONGEST = 300
@@ -106,14 +104,7 @@ def read(*parts):
 
 def parameters(folder):
     """The numbers of a case's `parameters`, and its words as they are."""
-    text = re.sub(r"//.*", "", read(folder, "parameters"))
-    found = {}
-    for key, value in re.findall(r"(\w+)\s+([^;\s]+)\s*;", text):
-        try:
-            found[key] = float(value)
-        except ValueError:
-            found[key] = value
-    return found
+    return {name: scene_numbers.numbers(value) for name, value in scene_numbers.read(os.path.join(folder, "parameters")).items()}
 
 
 def fill_disk(folder, free=0):

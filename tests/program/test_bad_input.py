@@ -10,12 +10,9 @@ The scene is cases/sscp1 with 1,000 parcels; each test spoils one thing of it.
 import os
 import re
 import shutil
-import sys
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import support  # noqa: E402
+import support
 
 RANKS = (1, 2)
 COUPLING = "system/couplingDict"

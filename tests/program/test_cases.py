@@ -9,15 +9,12 @@ import math
 import os
 import re
 import subprocess
-import sys
 import unittest
 
 import numpy
 from scipy.integrate import solve_ivp
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import support  # noqa: E402
+import support
 
 
 def schiller_naumann(re, phi):

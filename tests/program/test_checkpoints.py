@@ -9,15 +9,12 @@ import os
 import shutil
 import signal
 import subprocess
-import sys
 import time
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import support  # noqa: E402
-import vessel  # noqa: E402
-from resumed_run import ResumedScene, parts, states  # noqa: E402
+import support
+import vessel
+from resumed_run import ResumedScene, parts, states
 
 FOR_EVER = 1000  # [s], simulated
 DISK, WALL_LIMIT = 6, 8

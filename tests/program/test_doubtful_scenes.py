@@ -9,12 +9,9 @@ The scene is cases/sscp1 with 1,000 parcels of 8 (CGPM), 6.512 mm wide; each tes
 import os
 import re
 import shutil
-import sys
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import support  # noqa: E402
+import support
 
 RANKS = (1, 2)
 SCRIPT, SOFT, HARD = "dem/in.liggghts", "dem/soft_spheres.liggghts", "dem/hard_spheres.liggghts"

@@ -5,14 +5,11 @@
 
 import os
 import re
-import sys
 import time
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import gas_box  # noqa: E402
-import support  # noqa: E402
+import gas_box
+import support
 
 # Steps of 1e-4 s in gas steps of 1e-3 s.
 OUTPUTS = """dump states all custom 30 dem/states.dump id x

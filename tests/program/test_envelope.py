@@ -8,12 +8,9 @@ and the books close."""
 import csv
 import os
 import subprocess
-import sys
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import support  # noqa: E402
+import support
 
 
 class Envelope(support.ProgramTest):

@@ -9,13 +9,10 @@ import os
 import re
 import shutil
 import subprocess
-import sys
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import gas_box  # noqa: E402
-import support  # noqa: E402
+import gas_box
+import support
 
 PLUGINS = os.path.join(support.BUILD, "tests", "plugins")
 DIVERGED, LIGGGHTS, OPENFOAM, DISK, INTERNAL = 3, 4, 5, 6, 7

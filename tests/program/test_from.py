@@ -15,7 +15,7 @@ import starting_runs
 import support
 from starting_runs import COUNT, DENSITY, DEPTH, DIAMETER, WIDTH, record, run, series, snapshots
 
-from lib import foam_field
+from interphase import foam_field
 
 STATE = ("id", "position", "velocity", "angular_velocity", "diameter")
 

@@ -7,13 +7,10 @@ by name with what to take in their place. What `forces` reports is checked in te
 
 import os
 import shutil
-import sys
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import gas_box  # noqa: E402
-import support  # noqa: E402
+import gas_box
+import support
 
 FIELDS, FORCES, SAMPLING, UTILITY = "libs (fieldFunctionObjects);", "libs (forces);", "libs (sampling);", "libs (utilityFunctionObjects);"
 

@@ -7,15 +7,12 @@ dumps, thermo output and computes; and a bare launcher is enough: no OpenFOAM en
 import os
 import re
 import signal
-import sys
 import time
 import unittest
 
 import numpy
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import support  # noqa: E402
+import support
 
 FUNCTIONS = """
 functions

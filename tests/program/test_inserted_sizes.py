@@ -4,17 +4,12 @@
 
 import math
 import os
-import sys
 import unittest
 
 import numpy
 
-HERE = os.path.dirname(os.path.realpath(__file__))
-sys.path.insert(0, HERE)
-sys.path.insert(0, os.path.join(HERE, "..", "plugins", "mp_pic"))
-
-import boxes  # noqa: E402
-import support  # noqa: E402
+import boxes
+import support
 
 SIZE, CELLS, DENSITY = (0.06, 0.03, 0.24), (6, 3, 24), 2500.0
 COUNT = 400

@@ -5,13 +5,10 @@ tree is what it prints."""
 
 import os
 import subprocess
-import sys
 import tempfile
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import support  # noqa: E402
+import support
 
 PAGE = os.path.join(support.SOURCE, "coupler/settings/KEYS.md")
 

@@ -4,14 +4,10 @@
 # timeout: 600
 """A few kills of every kind; test_killed_long.py does a hundred, of all methods."""
 
-import os
-import sys
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import support  # noqa: E402
-from killed_run import KilledRun  # noqa: E402
+import support
+from killed_run import KilledRun
 
 
 class Killed(KilledRun, support.ProgramTest):

@@ -5,15 +5,11 @@
 # timeout: 7200
 """A hundred kills: all methods, one and two ranks, of a rank or of mpirun."""
 
-import os
-import sys
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import support  # noqa: E402
-from killed_run import KilledRun  # noqa: E402
-from resumed_run import WEIGHTS  # noqa: E402
+import support
+from killed_run import KilledRun
+from resumed_run import WEIGHTS
 
 
 class Killed(KilledRun, support.ProgramTest):

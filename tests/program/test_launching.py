@@ -8,14 +8,11 @@ import os
 import re
 import signal
 import subprocess
-import sys
 import time
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import gas_box  # noqa: E402
-import support  # noqa: E402
+import gas_box
+import support
 
 PAGE = support.read(support.SOURCE, "tools/CLUSTERS.md")
 

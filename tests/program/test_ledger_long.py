@@ -5,14 +5,10 @@
 # processors: 2
 """Momentum and solid volume of cases/sscp1 balance to 1e-12 in each of 1000 coupling steps, on 1, 2 and 4 ranks."""
 
-import os
-import sys
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import balances  # noqa: E402
-import support  # noqa: E402
+import balances
+import support
 
 
 class Balances(balances.BalancesOfSscp1, support.ProgramTest):

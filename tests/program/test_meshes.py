@@ -9,18 +9,14 @@ lattice's.
 """
 
 import dataclasses
-import os
-import sys
 import tempfile
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import mesh_zoo  # noqa: E402
-import numpy  # noqa: E402
-import support  # noqa: E402
-import zoo_meshes as meshes  # noqa: E402
-import zoo_packings  # noqa: E402
+import mesh_zoo
+import numpy
+import support
+import zoo_meshes as meshes
+import zoo_packings
 
 ROUND_OFF = 1e-12  # of sums over tens of thousands of spheres
 

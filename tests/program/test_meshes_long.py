@@ -4,14 +4,10 @@
 # timeout: 1800
 """As test_meshes.py, on more cells, with more spheres, and on more ranks."""
 
-import os
-import sys
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import mesh_zoo  # noqa: E402
-import test_meshes  # noqa: E402
+import mesh_zoo
+import test_meshes
 
 REST = set(mesh_zoo.SCENES) - set(test_meshes.SCENES) - {"baffle", "large_sphere", "joined_baffle"}
 

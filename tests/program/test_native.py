@@ -12,14 +12,11 @@ import math
 import os
 import shutil
 import subprocess
-import sys
 import unittest
 
 import numpy
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import support  # noqa: E402
+import support
 
 STEPS = 10000
 SOLID_STEP = 1.7e-5  # [s], t_c/21

@@ -8,15 +8,12 @@ of the same time."""
 import os
 import re
 import shutil
-import sys
 import unittest
 
 import numpy
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import support  # noqa: E402
-import vessel  # noqa: E402
+import support
+import vessel
 
 TIME, END = 0.02, 0.03  # [s]
 SOLID_STEP = 5e-6  # [s]

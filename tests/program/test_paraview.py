@@ -9,13 +9,10 @@ ParaView runs in a process of its own (under Xvfb: Debian's build renders throug
 import json
 import os
 import subprocess
-import sys
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import support  # noqa: E402
-import vessel  # noqa: E402
+import support
+import vessel
 
 READ_AND_RENDER = r"""
 import json, sys

@@ -6,13 +6,10 @@ name, with what to take in its place."""
 
 import os
 import shutil
-import sys
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import gas_box  # noqa: E402
-import support  # noqa: E402
+import gas_box
+import support
 
 REPORT = """functions {
     %s

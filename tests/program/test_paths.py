@@ -8,13 +8,10 @@ import os
 import re
 import shutil
 import subprocess
-import sys
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import gas_box  # noqa: E402
-import support  # noqa: E402
+import gas_box
+import support
 
 COLLATED = "OptimisationSwitches { fileHandler collated; }\n"
 

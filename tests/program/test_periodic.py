@@ -5,17 +5,13 @@
 other as if there were no side."""
 
 import math
-import os
-import sys
 import unittest
 
 import numpy
 from scipy.integrate import solve_ivp
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import support  # noqa: E402
-from lib.uniform_suspension import Suspension  # noqa: E402
+import support
+from interphase.uniform_suspension import Suspension
 
 ROUND_OFF = 1e-12  # of a balance
 METHODS = (("DEM", 1), ("TDHS", 1), ("CGPM", 2), ("CGHS", 2), ("MPPIC", 2))

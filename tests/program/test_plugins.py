@@ -13,12 +13,9 @@ import math
 import os
 import re
 import subprocess
-import sys
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import support  # noqa: E402
+import support
 
 RANKS = (1, 2)
 RUNNER = os.path.join(support.BUILD, "interphase-liggghts")

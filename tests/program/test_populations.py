@@ -7,17 +7,14 @@ cause, the books close to round-off on 1, 2 and 4 ranks, and the gas gives way w
 
 import os
 import re
-import sys
 import unittest
 
 import h5py
 import numpy
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import support  # noqa: E402
-import vessel  # noqa: E402
-from vessel import DENSITY, DEPTH, DIAMETER, HEIGHT, WIDTH  # noqa: E402
+import support
+import vessel
+from vessel import DENSITY, DEPTH, DIAMETER, HEIGHT, WIDTH
 
 # Round-off: sums over some 1e3 particles and 5e2 cells a step, relative to the totals.
 CLOSED = 1e-12

@@ -7,14 +7,11 @@ import hashlib
 import os
 import re
 import subprocess
-import sys
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+import h5py
 
-import h5py  # noqa: E402
-
-import support  # noqa: E402
+import support
 
 INPUTS = ("0/U", "0/p_rgh", "constant/g", "constant/transportProperties", "dem/in.liggghts", "dem/scene.liggghts", "dem/CGPM.liggghts",
           "parameters", "system/blockMeshDict", "system/controlDict", "system/couplingDict", "system/fvSchemes", "system/fvSolution")  # fmt: skip

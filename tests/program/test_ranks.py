@@ -10,14 +10,11 @@ on one rank with one coordinate of one parcel changed by 1e-15 of its value.
 """
 
 import os
-import sys
 import unittest
 
 import numpy
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import support  # noqa: E402
+import support
 
 STEPS = 50
 LONGEST = 300  # [s], for four ranks on two busy cores: they wait for each other some thousand times in a gas step

@@ -8,18 +8,15 @@ for 20 gas steps. And what a resumed run refuses or tells."""
 import os
 import shutil
 import subprocess
-import sys
 import unittest
 
 import numpy
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import support  # noqa: E402
-import test_populations  # noqa: E402
-import vessel  # noqa: E402
-from resumed_run import ResumedMethods, parts, states  # noqa: E402
-from vessel import DEPTH, DIAMETER, HEIGHT, WIDTH  # noqa: E402
+import support
+import test_populations
+import vessel
+from resumed_run import ResumedMethods, parts, states
+from vessel import DEPTH, DIAMETER, HEIGHT, WIDTH
 
 
 class Resume(ResumedMethods, support.ProgramTest):

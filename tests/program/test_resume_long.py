@@ -5,14 +5,10 @@
 # timeout: 7200
 """A run that is stopped and goes on from its last checkpoint is the run that was not stopped, to the last bit: all methods, for 1,000 gas steps."""
 
-import os
-import sys
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import support  # noqa: E402
-from resumed_run import ResumedMethods  # noqa: E402
+import support
+from resumed_run import ResumedMethods
 
 
 class Resume(ResumedMethods, support.ProgramTest):

@@ -9,20 +9,17 @@ import json
 import os
 import shutil
 import subprocess
-import sys
 import unittest
 
 import h5py
 import numpy
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import support  # noqa: E402
-import test_populations  # noqa: E402
-import vessel  # noqa: E402
-from lib import foam_file  # noqa: E402
-from resumed_run import WEIGHTS, ResumedMethods  # noqa: E402
-from vessel import DEPTH, DIAMETER, HEIGHT, WIDTH  # noqa: E402
+import support
+import test_populations
+import vessel
+from interphase import foam_file
+from resumed_run import WEIGHTS, ResumedMethods
+from vessel import DEPTH, DIAMETER, HEIGHT, WIDTH
 
 FIELDS = ("U", "p_rgh", "p", "phi", "voidage")
 ROUND_OFF = 1e-12  # of a balance

@@ -9,15 +9,12 @@ import glob
 import os
 import re
 import shutil
-import sys
 import unittest
 
 import numpy
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import support  # noqa: E402
-from resumed_run import ResumedRun  # noqa: E402
+import support
+from resumed_run import ResumedRun
 
 DUMPS = """\
 dump whole all custom 100 dem/whole.txt id type x y z fx fy fz

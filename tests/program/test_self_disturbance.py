@@ -6,15 +6,11 @@ the cells are, and with the correction left out it does not. A bed at rest feels
 
 import os
 import shutil
-import sys
 import unittest
 
-import h5py
 import numpy
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import support  # noqa: E402
+import support
 
 # Box in diameters, cells of `cell` diameters; T long enough for some ten diameters of way. The air's sphere is light and gravity strong, so
 # that it needs no longer than its fluid.

@@ -9,17 +9,14 @@ import os
 import random
 import shutil
 import signal
-import sys
 import time
 import unittest
 import xml.etree.ElementTree as xml
 
 import h5py
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import support  # noqa: E402
-from processes import alive, children  # noqa: E402
+import support
+from processes import alive, children
 
 KILLS = 10  # of each kind; test_survival_long.py does more
 

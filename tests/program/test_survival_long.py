@@ -5,13 +5,9 @@
 # timeout: 3600
 """test_survival.py with more kills."""
 
-import os
-import sys
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import test_survival  # noqa: E402
+import test_survival
 
 
 class Kills(test_survival.Bed):

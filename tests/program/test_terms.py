@@ -6,15 +6,12 @@ keeps its books closed on one rank and on two."""
 
 import os
 import subprocess
-import sys
 import unittest
 
 import h5py
 import numpy
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import support  # noqa: E402
+import support
 
 G = 9.81
 

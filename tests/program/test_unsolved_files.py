@@ -4,13 +4,10 @@
 same files are let be where they ask for nothing, and so are copies that editors leave."""
 
 import os
-import sys
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import gas_box  # noqa: E402
-import support  # noqa: E402
+import gas_box
+import support
 
 ZONE = "zone1 { %s cellZone rotor; origin (0 0 0); axis (0 0 1); omega 10; }"
 

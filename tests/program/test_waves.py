@@ -7,14 +7,11 @@ step gives way. Other spheres, liquid, cells and law than those that the limit w
 import os
 import re
 import subprocess
-import sys
 import unittest
 
 import h5py
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import support  # noqa: E402
+import support
 
 TOLD = "waves of the solid fraction run"
 SCENE = {

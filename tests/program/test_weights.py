@@ -11,17 +11,12 @@ over restart files and where particles are inserted; books close and ranks agree
 import os
 import shutil
 import subprocess
-import sys
 import unittest
 
 import numpy
 
-HERE = os.path.dirname(os.path.realpath(__file__))
-sys.path.insert(0, HERE)
-sys.path.insert(0, os.path.join(HERE, "..", "plugins", "mp_pic"))
-
-import boxes  # noqa: E402
-import support  # noqa: E402
+import boxes
+import support
 
 SIZE, CELLS = (0.06, 0.03, 0.24), (6, 3, 24)
 DIAMETER, DENSITY = 2e-4, 2500.0

@@ -1,19 +1,15 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""tools/lib/column_replica, column_limits: books close, a sediment rests, and each scheme bears the step that linear recursions or scans say."""
+"""python/interphase/column_replica, column_limits: books close, a sediment rests, and each scheme bears the step that linear recursions or scans say."""
 
-import os
-import sys
 import unittest
 from dataclasses import replace
 
 import numpy as np
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools", "lib"))
-
-from column_limits import (  # noqa: E402
+from interphase.column_limits import (
     AS_BUILT, SCHEMES, fluidized, half_held_limit, recursion_limit, sediment, settled, settling)  # fmt: skip
-from column_replica import AIR, WATER, Scheme, Weights, hindered, rising  # noqa: E402
+from interphase.column_replica import AIR, WATER, Scheme, Weights, hindered, rising
 
 FREE = Scheme(hold=0.0, wall="flux", forces="faces")
 

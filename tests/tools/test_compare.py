@@ -8,15 +8,12 @@ Dumps and records are written by hand here, so that what must be found is known;
 import contextlib
 import glob
 import gzip
-import importlib.machinery
-import importlib.util
 import io
 import json
 import math
 import os
 import shutil
 import subprocess
-import sys
 import tempfile
 import unittest
 
@@ -25,16 +22,12 @@ import numpy
 from scipy.signal import lfilter
 from scipy.stats import t as student
 
+from interphase import time_statistics as statistics
+from interphase.commands import compare as compare_tool
+from interphase.matching_times import merged
+
 TOOLS = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..", "tools")
-sys.path.insert(0, TOOLS)
-
-from lib import statistics  # noqa: E402
-from lib.matching_times import merged  # noqa: E402
-
 SCRIPT = os.path.join(TOOLS, "compare")
-_loader = importlib.machinery.SourceFileLoader("compare_tool", SCRIPT)
-compare_tool = importlib.util.module_from_spec(importlib.util.spec_from_loader("compare_tool", _loader))
-_loader.exec_module(compare_tool)
 
 COLUMNS = "id type x y z vx vy vz fx fy fz omegax omegay omegaz radius"
 STEP = 1e-5

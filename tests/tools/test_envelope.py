@@ -5,20 +5,18 @@ answers are known; what the drag laws say is held against numbers worked out by 
 
 import math
 import os
-import sys
 import unittest
 
 import numpy
 
-SOURCE = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..")
-sys.path.insert(0, os.path.join(SOURCE, "tools"))
+from interphase import envelope_map
+from interphase.envelope_measures import Column
+from interphase.envelope_scenes import FRACTIONS, METHODS, RATIOS, SCENES, NotRun, Point, plan
+from interphase.envelope_verdict import BEYOND, ERROR, FAILED, RIGHT, TOLD, Measures, alternation, deviation, verdict
+from interphase.even_bed import even_bed
+from interphase.uniform_suspension import Suspension
 
-from lib import envelope_map  # noqa: E402
-from lib.envelope_measures import Column  # noqa: E402
-from lib.envelope_scenes import FRACTIONS, METHODS, RATIOS, SCENES, NotRun, Point, plan  # noqa: E402
-from lib.envelope_verdict import BEYOND, ERROR, FAILED, RIGHT, TOLD, Measures, alternation, deviation, verdict  # noqa: E402
-from lib.even_bed import even_bed  # noqa: E402
-from lib.uniform_suspension import Suspension  # noqa: E402
+SOURCE = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..")
 
 GOOD = Measures({"velocity": 0.01}, 0.01, 0.001, 20)
 LOG = "t = 1 s\nReached t = 1 s in 0:29 of wall time.\n"

@@ -3,7 +3,6 @@
 """tools/picture: spheres at their true size and place, in their velocity's colour, the front ones on top."""
 
 import os
-import runpy
 import shutil
 import subprocess
 import sys
@@ -13,12 +12,12 @@ import unittest
 import h5py
 import matplotlib
 import numpy as np
+from matplotlib import pyplot as plt
+
+from interphase.commands import picture as tool
 
 REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 PICTURE = os.path.join(REPOSITORY, "tools/picture")
-TOOL = runpy.run_path(PICTURE)
-
-import matplotlib.pyplot as plt  # noqa: E402
 
 
 class Bench(unittest.TestCase):
@@ -47,7 +46,7 @@ class Bench(unittest.TestCase):
                 file["series/pressure_drop"] = np.full(100, 1000.0)
 
     def picture(self, *given, code=0):
-        done = subprocess.run(["/usr/bin/python3", PICTURE, self.run_folder, *given], capture_output=True, text=True, timeout=120)
+        done = subprocess.run([PICTURE, self.run_folder, *given], capture_output=True, text=True, timeout=120)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         self.assertNotIn("Traceback", done.stderr)
         return done
@@ -106,7 +105,7 @@ class Files(Bench):
         self.assertGreater(strip[1], 1.5 * single[1])
 
     def test_weights_are_told(self):
-        told = TOOL["weights"]
+        told = tool.weights
         self.assertEqual(told({"weight": 8.0}), "8")
         self.assertEqual(told({"weight": 8.0, "lowest_weight": 8.0, "highest_weight": 8.0}), "8")
         self.assertEqual(told({"weight": 3.7, "lowest_weight": 1.0, "highest_weight": 27.0}), "1 to 27")
@@ -142,12 +141,12 @@ class Drawing(Bench):
     """The pixels of one panel whose data limits are known."""
 
     def drawn(self, position, vertical, diameter, scale=1.0):
-        snapshot = TOOL["Snapshot"](0.0, np.array(position, dtype=float), np.array(diameter, dtype=float), np.array(vertical, dtype=float))
+        snapshot = tool.Snapshot(0.0, np.array(position, dtype=float), np.array(diameter, dtype=float), np.array(vertical, dtype=float))
         figure = plt.figure(figsize=(4, 4), dpi=200)
         self.addCleanup(plt.close, figure)
         axes = figure.add_axes((0, 0, 1, 1))
-        mapper = plt.cm.ScalarMappable(matplotlib.colors.Normalize(-scale, scale), TOOL["COLOURS"])
-        TOOL["draw_bed"](axes, snapshot, mapper, (0, 1, 0, 1), True, (0.0, 1.0), 72 * 4)
+        mapper = plt.cm.ScalarMappable(matplotlib.colors.Normalize(-scale, scale), tool.COLOURS)
+        tool.draw_bed(axes, snapshot, mapper, (0, 1, 0, 1), True, (0.0, 1.0), 72 * 4)
         axes.set_axis_off()
         figure.canvas.draw()
         # Row 0 is the top: turn it so that [i, j] is x, z.
@@ -180,28 +179,28 @@ class Choices(unittest.TestCase):
     def snapshot(self, vertical, position=None):
         count = len(vertical)
         position = np.full((count, 3), 0.1) if position is None else np.asarray(position, dtype=float)
-        return TOOL["Snapshot"](0.0, position, np.full(count, 0.02), np.asarray(vertical, dtype=float))
+        return tool.Snapshot(0.0, position, np.full(count, 0.02), np.asarray(vertical, dtype=float))
 
     def test_evenly_spaced_times_end_with_the_last(self):
         times = [0.05 * n for n in range(21)]
-        self.assertEqual(TOOL["evenly_spaced"](times, 4), [5, 10, 15, 20])
-        self.assertEqual(TOOL["evenly_spaced"]([0.0, 0.1], 4), [0, 1])
-        self.assertEqual(TOOL["evenly_spaced"]([0.0, 0.01, 0.02, 0.03, 0.04, 1.0], 4)[-1], 5)
+        self.assertEqual(tool.evenly_spaced(times, 4), [5, 10, 15, 20])
+        self.assertEqual(tool.evenly_spaced([0.0, 0.1], 4), [0, 1])
+        self.assertEqual(tool.evenly_spaced([0.0, 0.01, 0.02, 0.03, 0.04, 1.0], 4)[-1], 5)
 
     def test_the_scale_is_round_and_ignores_few_outliers(self):
         speeds = np.concatenate([np.linspace(-1.7, 0.5, 1000), [50.0]])
-        self.assertEqual(TOOL["velocity_scale"]([self.snapshot(speeds)]), 2.0)
-        self.assertEqual(TOOL["velocity_scale"]([self.snapshot([0.0, 0.0])]), 1.0)
+        self.assertEqual(tool.velocity_scale([self.snapshot(speeds)]), 2.0)
+        self.assertEqual(tool.velocity_scale([self.snapshot([0.0, 0.0])]), 1.0)
 
     def test_the_view_holds_every_sphere_and_crops_the_empty_top_only(self):
         domain = np.array([[0, 0, 0], [0.2, 0.2, 2.0]])
         low, high = self.snapshot([0.0]), self.snapshot([0.0], [[0.1, 0.1, 1.9]])
-        (left, right, bottom, top), closed, _ = TOOL["view"]([low], domain)
+        (left, right, bottom, top), closed, _ = tool.view([low], domain)
         self.assertEqual((left, right, bottom), (0, 0.2, 0))
         self.assertTrue(0.11 < top < 0.5 and not closed)
-        box, closed, _ = TOOL["view"]([low, high], domain)
+        box, closed, _ = tool.view([low, high], domain)
         self.assertEqual((box[3], closed), (2.0, True))
-        outside, _, _ = TOOL["view"]([self.snapshot([0.0], [[-0.05, 0.1, 0.1]])], domain)
+        outside, _, _ = tool.view([self.snapshot([0.0], [[-0.05, 0.1, 0.1]])], domain)
         self.assertAlmostEqual(outside[0], -0.06)
 
 

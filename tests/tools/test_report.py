@@ -7,8 +7,6 @@ lattice of known packing, means of correlated series of known error.
 """
 
 import contextlib
-import importlib.machinery
-import importlib.util
 import io
 import json
 import math
@@ -23,17 +21,13 @@ import h5py
 import numpy
 from scipy.signal import lfilter
 
+from interphase import bed_statistics, report_scene, report_table, run_report, time_statistics as statistics
+from interphase.commands import report as report_tool
+from interphase.report_scene import BoxMesh, Windows
+
 SOURCE = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..")
 TOOLS = os.path.join(SOURCE, "tools")
-sys.path.insert(0, TOOLS)
-
-from lib import bed_statistics, report_scene, report_table, run_report, statistics  # noqa: E402
-from lib.report_scene import BoxMesh, Windows  # noqa: E402
-
 SCRIPT = os.path.join(TOOLS, "report")
-_loader = importlib.machinery.SourceFileLoader("report_tool", SCRIPT)
-report_tool = importlib.util.module_from_spec(importlib.util.spec_from_loader("report_tool", _loader))
-_loader.exec_module(report_tool)
 
 # A vessel of 0.2 x 0.1 x 0.4 m; windows are 0.1 m wide, z from 0.1 to 0.2 m, the slice 0.01 m deep.
 WINDOWS = Windows(count=2, left=0.0, right=0.2, centre=0.15, height=0.1, front=0.0, front_depth=0.01)

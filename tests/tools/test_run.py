@@ -8,21 +8,20 @@ Shell scripts stand in for interphase and OpenFOAM's programs, so no engine is n
 import json
 import os
 import re
-import runpy
 import shlex
 import shutil
 import signal
 import stat
 import subprocess
-import sys
 import tempfile
 import time
 import unittest
 
-REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
-sys.path.insert(0, os.path.join(REPOSITORY, "tools"))
+from interphase import case_folder, ending, foam_file, launch
+from interphase.commands import run
+from interphase.input_error import InputError
 
-from lib import case_folder, ending, foam_file, launch  # noqa: E402
+REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 
 PARAMETERS = """// The scene's numbers
 method    CGPM;   // DEM | CGPM
@@ -246,7 +245,7 @@ class Folders(Bench):
         self.assertTrue(os.path.exists(os.path.join(self.out, "README.md")))
 
     def test_default_names(self):
-        name = runpy.run_path(os.path.join(REPOSITORY, "tools/lib/run.py"))["default_folder"]
+        name = run.default_folder
         self.assertEqual(name("/c/bed", "CGPM", 8.0, 1), os.path.join(REPOSITORY, "runs/bed-CGPM-w8"))
         self.assertEqual(name("/c/bed", "DEM", 1.0, 4), os.path.join(REPOSITORY, "runs/bed-DEM-w1-4ranks"))
 
@@ -501,7 +500,6 @@ class Execution(Bench):
         self.assertNotIn("picture", self.succeed("bed", "--overwrite", "--no-picture").stderr)
 
 
-
 class Mesh(Bench):
     """A mesh that is there is used; else blockMesh makes one. Which, is told."""
 
@@ -703,7 +701,7 @@ nested { key 2; }
 class Cases(Bench):
     def test_a_mistyped_case_is_guessed_and_all_are_listed(self):
         write(os.path.join(self.root, "sscp1/system/couplingDict"), "")
-        with self.assertRaises(case_folder.CaseError) as caught:
+        with self.assertRaises(InputError) as caught:
             case_folder.checked_case("/x/ssccp1", self.root)
         self.assertRegex(str(caught.exception), r"did you mean '[^']*sscp1'\?")
         self.assertRegex(str(caught.exception), r"cases here:\n  .*bed\n  .*sscp1")

@@ -4,20 +4,18 @@
 spheres, where a script takes its particles from. tests/program/test_from.py runs the program."""
 
 import os
-import sys
 import tempfile
 import unittest
 
 import h5py
 import numpy
 
-SOURCE = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..")
-sys.path.insert(0, os.path.join(SOURCE, "tools"))
+from interphase import foam_field, particle_file, starting_particles, starting_point, starting_run
+from interphase.case_folder import Dictionaries
+from interphase.input_error import InputError
+from interphase.particle_script import particle_source
 
-from lib import foam_field, particle_file, starting_particles, starting_point, starting_run  # noqa: E402
-from lib.case_folder import CaseError, Dictionaries  # noqa: E402
-from lib.input_error import InputError  # noqa: E402
-from lib.particle_script import particle_source  # noqa: E402
+SOURCE = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..")
 
 COUPLING = 'method DEM;\nweight 1;\nparticles { script "dem/in.liggghts"; variables { method DEM; bed start; } }\n'
 SCRIPT = "boundary f p f\nread_data dem/bed.data  # the bed\n"
@@ -104,10 +102,10 @@ class Weights(Folder):
         self.record(run, [0.1, 0.1], weight=8, **{"weight_": [1, 1]})
         start = starting_run.find(run)
         starting_particles.check_weight(start, 8, "case")
-        with self.assertRaisesRegex(CaseError, "stand for 8 particles each, and case has weight 2"):
+        with self.assertRaisesRegex(InputError, "stand for 8 particles each, and case has weight 2"):
             starting_particles.check_weight(start, 2, "case")
         start.particles.quantities["weight"] = numpy.array([1.0, 8.0])
-        with self.assertRaisesRegex(CaseError, "stand for 1 to 8 particles"):
+        with self.assertRaisesRegex(InputError, "stand for 1 to 8 particles"):
             starting_particles.check_weight(start, 8, "case")
 
 
@@ -232,14 +230,14 @@ class Scripts(Folder):
                 self.assertEqual(found.file, "dem/bed.data")
                 self.assertEqual(len(found.others), 1)
                 self.assertIn("dem/in.liggghts:3: " + line.split()[0], found.others[0])
-                with self.assertRaisesRegex(CaseError, "also makes or changes particles"):
+                with self.assertRaisesRegex(InputError, "also makes or changes particles"):
                     starting_particles.check_script(found, "case")
         for line in ("fix w all property/atom weight scalar yes no no 1", "set type 1 property/atom weight 8", "fix g all gravity 9.81"):
             with self.subTest(line):
                 self.assertEqual(self.source(SCRIPT + line + "\n").others, [])
 
     def test_what_is_included_and_not_there(self):
-        with self.assertRaisesRegex(CaseError, "'dem/gone', which the script of the particles includes, is not in"):
+        with self.assertRaisesRegex(InputError, "'dem/gone', which the script of the particles includes, is not in"):
             self.source("include dem/gone\n")
 
 

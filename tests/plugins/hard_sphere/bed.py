@@ -4,16 +4,11 @@
 import math
 import os
 import subprocess
-import sys
 
 import numpy
 from scipy.spatial import cKDTree
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..", "program"))
-
-import support  # noqa: E402
-
-from lib import launch  # noqa: E402
+import support
 
 # of cases/sscp1
 DIAMETER, DENSITY, STIFFNESS, RESTITUTION = 3.256e-3, 1131.0, 800.0, 0.84

@@ -3,18 +3,16 @@
 
 import os
 import subprocess
-import sys
 import tempfile
 import unittest
 from dataclasses import dataclass, field
 
 import numpy
 
+from interphase import launch, liggghts_dump
+
 SOURCE = os.environ.get("INTERPHASE_SOURCE") or os.path.realpath(os.path.join(os.path.dirname(__file__), "..", "..", ".."))
 BUILD = os.environ.get("INTERPHASE_BUILD") or os.path.join(SOURCE, "build", "release")
-sys.path.insert(0, os.path.join(SOURCE, "tools"))
-
-from lib import launch, liggghts_dump  # noqa: E402
 
 RUNNER = os.path.join(BUILD, "interphase-liggghts")
 LONGEST = 300  # most runs take seconds; ranks that wait for one another for ever are ended here [s]

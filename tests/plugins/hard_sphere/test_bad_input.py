@@ -4,13 +4,9 @@
 """What a user may get wrong with fix tdhs and wall/tdhs: one message that names the value and says what to do, and nothing moves."""
 
 import dataclasses
-import os
-import sys
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-from hard_spheres import HardSphereTest, Scene, Spheres  # noqa: E402
+from hard_spheres import HardSphereTest, Scene, Spheres
 
 FLOOR = "primitive type 2 zplane 0.0"
 STEEL = "fix E all property/global youngsModulus peratomtype 1e7 1e7\nfix nu all property/global poissonsRatio peratomtype 0.3 0.3\n"

@@ -7,15 +7,11 @@ Its centre peaks at r + (h0 - r) e^(2k) after k bounces. The impact is resolved 
 sphere has in it; gravity bends the true path by g dt^2/8, so the error falls faster than the step.
 """
 
-import os
-import sys
 import unittest
 
 import numpy
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-from hard_spheres import HardSphereTest, Scene, Spheres  # noqa: E402
+from hard_spheres import HardSphereTest, Scene, Spheres
 
 GRAVITY = 9.81
 RADIUS = 5e-3

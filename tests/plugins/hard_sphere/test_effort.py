@@ -3,19 +3,15 @@
 """Passes and margin that a step gets where the script does not say them: enough to hold a bed at steps longer than those that the
 least effort bears; by gravity, wherever the script names it. And a word on overlaps that tell of too few."""
 
-import os
 import re
-import sys
 import unittest
 
 import numpy
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+import bed
+import support
 
-import bed  # noqa: E402
-import support  # noqa: E402
-
-from hard_spheres import HardSphereTest, Scene, Spheres  # noqa: E402
+from hard_spheres import HardSphereTest, Scene, Spheres
 
 GRAVITY = "fix gravity all gravity 9.81 vector 0 0 -1\n"
 TDHS = "fix hs all tdhs {words}\n"

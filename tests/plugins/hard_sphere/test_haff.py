@@ -10,15 +10,11 @@ and Ernst, Granul. Matter 1 (1998) 57, whose correction for the tails of the dis
 The box is small enough, about 30 diameters, that no clusters form while T falls to a twentieth.
 """
 
-import os
-import sys
 import unittest
 
 import numpy
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-from hard_spheres import HardSphereTest, Scene, Spheres  # noqa: E402
+from hard_spheres import HardSphereTest, Scene, Spheres
 
 DIAMETER, EDGE = 1e-3, 16  # [m], spheres along an edge of the box
 COUNT = EDGE**3

@@ -6,17 +6,12 @@
 An inner edge of a flat floor must not be felt: what rolls over it keeps its speed.
 """
 
-import os
-import sys
 import unittest
 
 import numpy
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.realpath(__file__)), ".."))
-
-from hard_spheres import HardSphereTest, Scene, Spheres  # noqa: E402
-from triangles import square, stl  # noqa: E402
+from hard_spheres import HardSphereTest, Scene, Spheres
+from triangles import square, stl
 
 GRAVITY = "fix weight all gravity 9.81 vector 0 0 -1\n"
 RADIUS = 5e-3

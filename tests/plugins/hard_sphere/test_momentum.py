@@ -8,15 +8,11 @@ The same impulse goes to both spheres of a contact, so linear momentum is kept t
 however many ranks. Impulses act at one point, so the angular momentum of a free pair is kept, too.
 """
 
-import os
-import sys
 import unittest
 
 import numpy
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-from hard_spheres import HardSphereTest, Scene, Spheres  # noqa: E402
+from hard_spheres import HardSphereTest, Scene, Spheres
 
 RANKS = (1, 2, 4)
 STEPS, STEP = 1000, 5e-5

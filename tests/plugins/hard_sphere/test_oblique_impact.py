@@ -7,15 +7,11 @@ The solution is written here once more, from the balance of momentum (Foerster, 
 the normal impulse is too little for it. The sphere on a wall is the one of cases/oblique-impact, which compares with measurements.
 """
 
-import os
-import sys
 import unittest
 
 import numpy
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-from hard_spheres import HardSphereTest, Scene, Spheres  # noqa: E402
+from hard_spheres import HardSphereTest, Scene, Spheres
 
 # A few hundred operations in double precision, and positions of 1 m that a touch time within a step of 1e-5 m comes from.
 ROUND_OFF = 1e-10

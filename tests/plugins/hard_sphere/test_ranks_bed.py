@@ -6,15 +6,12 @@ to rest, and its height lies within the scatter of heights that other starts giv
 """
 
 import os
-import sys
 import unittest
 
 import numpy
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import bed  # noqa: E402
-import support  # noqa: E402
+import bed
+import support
 
 COUNT, SECONDS = 1000, 1.2
 SEEDS = (1, 2, 3)

@@ -6,15 +6,11 @@ Friction mu m g slows the centre by mu g and spins the sphere up by 5/2 mu g/r, 
 (Lamb, Statics, 1912, and every textbook since). Then it rolls on for ever: a hard plane takes no energy from it.
 """
 
-import os
-import sys
 import unittest
 
 import numpy
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-from hard_spheres import HardSphereTest, Scene, Spheres  # noqa: E402
+from hard_spheres import HardSphereTest, Scene, Spheres
 
 GRAVITY = 9.81
 RADIUS = 5e-3

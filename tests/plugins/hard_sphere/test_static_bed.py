@@ -3,16 +3,12 @@
 """A poured bed of hard spheres comes to rest and stays at its height, at steps as long as a collision of soft ones lasts."""
 
 import math
-import os
-import sys
 import unittest
 
 import numpy
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import bed  # noqa: E402
-import support  # noqa: E402
+import bed
+import support
 
 SECONDS = 1.9  # [s]: the spheres lie after 0.4
 # The fall ends at 0.5 m/s or so: a speed of 0.15 mm/s, a twentieth of what gravity gives and takes in every step. Eight

@@ -8,16 +8,12 @@ LIGGGHTS's own DEM of this bed, dropped from a lattice, comes to rest at a mean 
 diameter.
 """
 
-import os
-import sys
 import unittest
 
 import numpy
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import bed  # noqa: E402
-import support  # noqa: E402
+import bed
+import support
 
 WIDTH, DEPTH, COUNT = 0.2286, 0.0762, 95000
 SECONDS = 10

@@ -3,14 +3,12 @@
 
 import os
 import subprocess
-import sys
 
 import numpy
 
-SOURCE = os.environ.get("INTERPHASE_SOURCE") or os.path.realpath(os.path.join(os.path.dirname(__file__), "..", "..", ".."))
-sys.path.insert(0, os.path.join(SOURCE, "tests", "program"))
+import support
 
-import support  # noqa: E402
+SOURCE = os.environ.get("INTERPHASE_SOURCE") or os.path.realpath(os.path.join(os.path.dirname(__file__), "..", "..", ".."))
 
 HEAD = "FoamFile {{ version 2.0; format ascii; class {kind}; object {name}; }}\n"
 SIDES = {"low_x": (0, 4, 7, 3), "high_x": (1, 2, 6, 5), "low_y": (0, 1, 5, 4), "high_y": (3, 7, 6, 2), "low_z": (0, 3, 2, 1),

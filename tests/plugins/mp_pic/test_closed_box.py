@@ -7,15 +7,12 @@ fly as DEM's do, the same on any number of ranks, and bad input refused.
 """
 
 import os
-import sys
 import unittest
 
 import numpy
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import boxes  # noqa: E402
-import support  # noqa: E402
+import boxes
+import support
 
 SIZE, CELLS = (0.04, 0.04, 0.08), (4, 4, 8)
 DIAMETER, DENSITY = 2e-3, 1000.0

@@ -11,15 +11,12 @@ The front of the bed, whose solid fraction is phi_b where it grows, rises at u_s
 """
 
 import os
-import sys
 import unittest
 
 import numpy
 
-sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-
-import boxes  # noqa: E402
-import support  # noqa: E402
+import boxes
+import support
 
 G = 9.81
 GAS = (1.2, 1.8e-5)

@@ -6,18 +6,13 @@ along the wall, from both sides; and they are where straight flight, impact and 
 """
 
 import os
-import sys
 import unittest
 
 import numpy
 
-HERE = os.path.dirname(os.path.realpath(__file__))
-sys.path.insert(0, HERE)
-sys.path.insert(0, os.path.join(HERE, ".."))
-
-import boxes  # noqa: E402
-import support  # noqa: E402
-from triangles import square, stl  # noqa: E402
+import boxes
+import support
+from triangles import square, stl
 
 SIZE = (0.04, 0.04, 0.08)
 DIAMETER, RADIUS = 2e-3, 1e-3

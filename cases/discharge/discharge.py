@@ -1,0 +1,279 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Discharge of a box through a slot in its floor, by LIGGGHTS's own DEM or by hard spheres: rate and angle of repose.
+
+Every run has a folder <out>/<engine>-<label>-seed<n> with what LIGGGHTS read and wrote. In the end
+all runs below --out are put together in a table: mean over seeds, its standard error, difference from the first group with the same floor.
+"""
+
+import argparse
+import itertools
+import math
+import os
+import shutil
+import subprocess
+import sys
+import time
+
+import numpy
+
+from interphase import launch
+
+CASE = os.path.dirname(os.path.realpath(__file__))
+ROOT = os.path.dirname(os.path.dirname(CASE))
+
+BUILD = os.environ.get("INTERPHASE_BUILD") or os.path.join(ROOT, "build", "release")
+
+# The spheres and their contacts are those of cases/sscp1.
+DIAMETER = 3.256e-3  # [m]
+MATERIAL = {
+    "weight": 1, "diameter": DIAMETER, "particleDensity": 1131, "springConstant": 800,
+    "restitution": 0.84, "tangentialRestitution": 0.84, "wallRestitution": 0.92, "wallTangentialRestitution": 0.92,
+    "friction": 0.35, "wallFriction": 0.35, "gravity": 9.81,
+}  # fmt: skip
+MASS = MATERIAL["particleDensity"] * math.pi / 6 * DIAMETER**3
+COLLISION_TIME = math.sqrt(0.5 * MASS / MATERIAL["springConstant"] * (math.pi**2 + math.log(MATERIAL["restitution"]) ** 2))
+
+# Geometry [m]
+WIDTH, DEPTH, SLOT = 40 * DIAMETER, 8 * DIAMETER, 8 * DIAMETER
+COUNT = 6000
+START_PACKING = 0.40
+
+FILL = 0.45  # [s]
+RECORD, SNAPSHOT = 0.005, 0.15  # [s]
+
+# The steady part of the discharge: between these shares of all spheres
+FROM, TO = 0.10, 0.50
+
+
+def rectangle(x0, x1):
+    """Two triangles of the floor, z = 0."""
+    a, b, c, d = (x0, 0.0), (x1, 0.0), (x1, DEPTH), (x0, DEPTH)
+    return [(a, b, c), (a, c, d)]
+
+
+def write_stl(path, triangles):
+    with open(path, "w", encoding="ascii") as out:
+        out.write("solid surface\n")
+        for triangle in triangles:
+            out.write("facet normal 0 0 1\n outer loop\n")
+            for x, y in triangle:
+                out.write(f"  vertex {x:.9g} {y:.9g} 0\n")
+            out.write(" endloop\nendfacet\n")
+        out.write("endsolid surface\n")
+
+
+def glued(random):
+    """Centres of spheres that make the floor rough: rows on it, up to the lip, with gaps of up to half a diameter."""
+    pitch = 1.25 * DIAMETER
+    length = 0.5 * (WIDTH - SLOT)
+    nx, ny = int(length / pitch), int(DEPTH / pitch)
+    spacing = numpy.array([length / nx, DEPTH / ny])
+    found = []
+    for start in (0.0, 0.5 * (WIDTH + SLOT)):
+        site = numpy.stack(numpy.meshgrid(numpy.arange(nx), numpy.arange(ny), indexing="ij"), axis=-1).reshape(-1, 2)
+        place = [start, 0.0] + (site + 0.5) * spacing + random.uniform(-0.45, 0.45, site.shape) * (spacing - DIAMETER)
+        found.append(numpy.column_stack([place, numpy.full(len(place), 0.5 * DIAMETER)]))
+    return numpy.concatenate(found)
+
+
+def write_bed(path, count, seed, rough):
+    """A loose jittered lattice above the floor, thrown about at up to 0.5 m/s so that nothing of the lattice stays."""
+    random = numpy.random.default_rng(seed)
+    pitch = (math.pi / 6 / START_PACKING) ** (1 / 3) * DIAMETER
+    nx, ny = int(WIDTH / pitch), int(DEPTH / pitch)
+    spacing = numpy.array([WIDTH / nx, DEPTH / ny, pitch**3 / (WIDTH / nx * DEPTH / ny)])
+    number = numpy.arange(count)
+    site = numpy.stack([number % nx, number // nx % ny, number // (nx * ny)], axis=1)
+    centres = (site + 0.5) * spacing + random.uniform(-0.45, 0.45, (count, 3)) * (spacing - DIAMETER)
+    velocities = random.uniform(-0.5, 0.5, (count, 3))
+    if rough:
+        centres[:, 2] += DIAMETER
+        centres = numpy.concatenate([centres, glued(random)])
+        velocities = numpy.concatenate([velocities, numpy.zeros((len(centres) - count, 3))])
+    top = 1.5 * centres[:, 2].max()
+    with open(path, "w", encoding="ascii") as out:
+        out.write(f"spheres\n\n{len(centres)} atoms\n2 atom types\n\n")
+        for axis, low, high in (("x", 0, WIDTH), ("y", 0, DEPTH), ("z", 0, top)):
+            beyond = 20 * DIAMETER if axis == "z" else 2 * DIAMETER
+            out.write(f"{low - beyond!r} {high + beyond!r} {axis}lo {axis}hi\n")
+        out.write("\nAtoms\n\n")
+        for i, (x, y, z) in enumerate(centres.tolist(), 1):
+            out.write(f"{i} 1 {DIAMETER!r} {MATERIAL['particleDensity']!r} {x!r} {y!r} {z!r}\n")
+        out.write("\nVelocities\n\n")
+        for i, (x, y, z) in enumerate(velocities.tolist(), 1):
+            out.write(f"{i} {x!r} {y!r} {z!r} 0.0 0.0 0.0\n")
+
+
+def prepare(folder, options, seed):
+    os.makedirs(folder)
+    for source in (os.path.join(CASE, "dem", "in.liggghts"), os.path.join(ROOT, "cases", "sscp1", "dem", "contact.liggghts")):
+        shutil.copy(source, folder)
+    shutil.copy(os.path.join(CASE, "dem", f"{options.engine}.liggghts"), os.path.join(folder, "engine.liggghts"))
+    left, right = 0.5 * (WIDTH - SLOT), 0.5 * (WIDTH + SLOT)
+    write_stl(os.path.join(folder, "floor.stl"), rectangle(0, left) + rectangle(right, WIDTH))
+    write_stl(os.path.join(folder, "plug.stl"), rectangle(left, right))
+    write_bed(os.path.join(folder, "bed.data"), options.count, seed, options.rough)
+
+
+def variables(options):
+    step = options.step * COLLISION_TIME
+    given = {
+        **MATERIAL, "count": options.count, "hard": int(options.engine == "tdhs"), "width": WIDTH, "depth": DEPTH, "solidStep": step,
+        "skin": (0.25 if options.engine == "dem" else 0.6) * DIAMETER,
+        "words": options.tdhs,
+    }  # fmt: skip
+    for name, duration in (("fillSteps", FILL), ("dischargeSteps", options.seconds), ("recordSteps", RECORD), ("dumpSteps", SNAPSHOT)):
+        given[name] = max(1, round(duration / step))
+    for setting in options.set:
+        name, _, value = setting.partition("=")
+        if name not in given:
+            sys.exit(f"run: --set {setting}: no such variable; known: {', '.join(given)}")
+        given[name] = value
+    return given
+
+
+def simulate(folder, options, seed):
+    prepare(folder, options, seed)
+    if options.engine == "dem":
+        command = ["liggghts"]
+    else:
+        command = [os.path.join(BUILD, "interphase-liggghts"), "-plugin", os.path.join(BUILD, "plugins", "libhard_sphere.so")]
+    command += ["-in", "in.liggghts"]  # a mesh wants a screen: LIGGGHTS crashes with `-screen none`
+    for name, value in variables(options).items():
+        command += ["-var", name, f"{value}"]
+    start = time.monotonic()
+    done = subprocess.run(
+        command, cwd=folder, env={**os.environ, **launch.additions(os.environ)}, stdin=subprocess.DEVNULL,
+        capture_output=True, text=True,
+    )  # fmt: skip
+    if done.returncode != 0:
+        sys.exit(f"run: LIGGGHTS ended with {done.returncode} in {folder}:\n{(done.stdout + done.stderr)[-2000:]}")
+    return time.monotonic() - start
+
+
+def snapshots(path):
+    """Of a dump `id x y z vx vy vz`: (step, rows `id x y z` [n x 4]) one by one."""
+    with open(path, encoding="ascii") as file:
+        while file.readline():
+            step = int(file.readline())
+            file.readline()
+            count = int(file.readline())
+            for _ in range(5):
+                file.readline()
+            rows = [file.readline().split()[:4] for _ in range(count)]
+            yield step, numpy.array(rows, dtype=float).reshape(-1, 4)
+
+
+def surface(centres):
+    """Height of the highest centres over columns of a grid: (x [n], height [n]), averaged over the depth."""
+    step = 0.5 * DIAMETER
+    xs = numpy.arange(0.5 * DIAMETER, WIDTH - 0.5 * DIAMETER + 1e-9, step)
+    ys = numpy.arange(DIAMETER, DEPTH - DIAMETER + 1e-9, step)
+    heights = numpy.zeros((len(xs), len(ys)))
+    for i, x in enumerate(xs):
+        near = centres[abs(centres[:, 0] - x) < 0.75 * DIAMETER]
+        for j, y in enumerate(ys):
+            column = near[(near[:, 0] - x) ** 2 + (near[:, 1] - y) ** 2 < (0.75 * DIAMETER) ** 2]
+            heights[i, j] = column[:, 2].max() if len(column) else 0.0
+    return xs, heights.mean(axis=1)
+
+
+def angles(centres):
+    """Of the slopes left and right of the slot [degrees], the ends at the slot and at the wall left out."""
+    xs, heights = surface(centres[centres[:, 2] > 0])
+    left, right = 0.5 * (WIDTH - SLOT), 0.5 * (WIDTH + SLOT)
+    found = []
+    for part, sign in ((xs < left - 2.5 * DIAMETER) & (xs > 2.5 * DIAMETER), -1), (
+        (xs > right + 2.5 * DIAMETER) & (xs < WIDTH - 2.5 * DIAMETER), 1):  # fmt: skip
+        slope = numpy.polyfit(xs[part], heights[part], 1)[0]
+        found.append(math.degrees(math.atan(sign * slope)))
+    return found
+
+
+def measure(folder):
+    record = numpy.loadtxt(os.path.join(folder, "record.txt"), comments=("#", "time"))
+    t, above, kinetic = record.T
+    out = MASS * (above[0] - above)
+    share = out / (MASS * above[0])
+    part = (share > FROM) & (share < TO)
+    rate = numpy.polyfit(t[part], out[part], 1)[0]
+    # the last snapshot that runs with other steps have, too
+    wanted = math.floor((t[-1] - 0.05) / SNAPSHOT)
+    _, rows = next(itertools.islice(snapshots(os.path.join(folder, "snapshots.dump")), wanted, None))
+    centres = rows[:, 1:]
+    beside_slot = abs(centres[:, 0] - 0.5 * WIDTH) > 0.5 * SLOT
+    free = rows[:, 0] <= above[0]  # the others are glued
+    filled = t <= FILL
+    left, right = angles(centres)
+    return {
+        "rate": rate, "steady": [float(t[part][0]), float(t[part][-1])], "left": left, "right": right,
+        "angle": 0.5 * (left + right),
+        "height": float(centres[beside_slot & free & (centres[:, 2] > 0), 2].mean() / DIAMETER), "remaining": int(above[-1]),
+        "kinetic_energy_before": float(kinetic[filled][-1]), "kinetic_energy_after": float(kinetic[-1]),
+    }  # fmt: skip
+
+
+def table(out):
+    groups = {}
+    for name in sorted(os.listdir(out)):
+        path = os.path.join(out, name, "wall_time")
+        if os.path.exists(path):
+            with open(path, encoding="utf-8") as file:
+                wall_time = float(file.read())
+            result = {**measure(os.path.join(out, name)), "wall_time": wall_time}
+            groups.setdefault(name.rsplit("-seed", 1)[0], []).append(result)
+    print(f"{'':28s} seeds   rate [g/s]            angle [deg]            mean height [d]        left behind         at rest [J]  wall time [s]")
+    firsts = {}  # one for the smooth floor, one for the rough one
+    for name, runs in groups.items():
+        first = firsts.get(name.endswith("-rough"))
+        cells = []
+        means = {}
+        for key, scale in (("rate", 1e3), ("angle", 1), ("height", 1), ("remaining", 1)):
+            values = scale * numpy.array([run[key] for run in runs])
+            error = values.std(ddof=1) / math.sqrt(len(values)) if len(values) > 1 else math.nan
+            means[key] = values.mean()
+            against = "" if first is None else f" {100 * (means[key] / first[key] - 1):+5.1f}%"
+            cells.append(f"{means[key]:8.2f} +-{error:5.2f}{against:8s}")
+        firsts.setdefault(name.endswith("-rough"), means)
+        rest = max(run["kinetic_energy_after"] for run in runs)
+        wall = numpy.mean([run["wall_time"] for run in runs])
+        print(f"{name:28s} {len(runs):4d} {' '.join(cells)} {rest:10.1e} {wall:8.0f}")
+
+
+def arguments():
+    parser = argparse.ArgumentParser(prog="run", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--engine", choices=("dem", "tdhs"), help="whose contacts (default: run nothing, read --out)")
+    parser.add_argument("--step", type=float, metavar="S", help="solid step over the collision time (default dem 0.05, tdhs 1)")
+    parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3, 4], metavar="N", help="of the start (default 1 2 3 4)")
+    parser.add_argument("--label", help="of the runs (default: the step)")
+    parser.add_argument("--out", default=os.path.join(ROOT, "runs", "discharge"), metavar="DIR", help="(default runs/discharge)")
+    parser.add_argument("--rough", action="store_true", help="spheres are glued to the floor, so that none can roll off on it")
+    parser.add_argument("--seconds", type=float, default=1.75, metavar="T", help="from the opening to the end (default 1.75)")
+    parser.add_argument("--count", type=int, default=COUNT, metavar="N", help=f"spheres (default {COUNT})")
+    parser.add_argument("--tdhs", default="", metavar="WORDS", help="of fix tdhs, such as 'passes 8' (default none)")
+    parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="a variable of the scripts, e.g. friction=0.3")
+    options = parser.parse_args()
+    if options.step is None:
+        options.step = 0.05 if options.engine == "dem" else 1.0
+    return options
+
+
+def main():
+    options = arguments()
+    options.out = os.path.abspath(options.out)
+    os.makedirs(options.out, exist_ok=True)
+    if options.engine:
+        label = (options.label or f"{options.step:g}tc") + ("-rough" if options.rough else "")
+        for seed in options.seeds:
+            folder = os.path.join(options.out, f"{options.engine}-{label}-seed{seed}")
+            shutil.rmtree(folder, ignore_errors=True)
+            wall_time = simulate(folder, options, seed)
+            with open(os.path.join(folder, "wall_time"), "w", encoding="utf-8") as file:
+                file.write(f"{wall_time:.1f}\n")
+            result = measure(folder)
+            print(f"{os.path.basename(folder)}: {1e3 * result['rate']:.2f} g/s, {result['angle']:.2f} deg, {wall_time:.0f} s", flush=True)
+    table(options.out)
+
+
+if __name__ == "__main__":
+    main()

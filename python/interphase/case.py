@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A case, with the changes that a script makes to it, and how it is run."""
+
+import copy
+import os
+
+from interphase import case_folder, parameters
+from interphase.case_folder import COUPLING, PARAMETERS
+from interphase.commands.run import default_folder
+from interphase.input_error import InputError
+from interphase.launched import Launched
+from interphase.run import Run
+from interphase.tree import CASES
+
+
+class Case:
+    """The case in the folder `path`, such as "cases/sscp1"; InputError where it is none. Its files are never changed."""
+
+    def __init__(self, path):
+        self.path = case_folder.checked_case(os.fspath(path), CASES)
+        self._dictionaries = case_folder.Dictionaries(self.path)
+        self._settings = {}
+        self._method = self._weight = None
+
+    def set(self, entries=None, **of_parameters):
+        """Another Case, with entries changed; this one stays as it is.
+
+        Keywords are entries of the case's `parameters`, in its units, and `method` and `weight`; `entries` those of other files,
+        {"system/couplingDict:drag/law": "Gidaspow"}. Values are numbers, words, truth values, or lists of them. InputError with the nearest
+        name for an entry that the case does not have.
+        """
+        changed = copy.copy(self)
+        changed._dictionaries, changed._settings = case_folder.Dictionaries(self.path), {}
+        changed._dictionaries.take(self._dictionaries)
+        changed._settings.update(self._settings)
+        for name, value in {**(entries or {}), **of_parameters}.items():
+            text = as_written(value)
+            file, colon, entry = name.partition(":")
+            if name == "method":
+                changed._method = case_folder.checked_method(text)
+            elif name == "weight":
+                case_folder.checked_weight(text)
+                changed._weight = text
+            else:
+                changed._dictionaries.set(*((os.path.normpath(file), entry) if colon else (PARAMETERS, name)), text)
+                changed._settings[name] = text
+        if changed._method or changed._weight:
+            case_folder.set_method_and_weight(changed._dictionaries, changed._method, changed._weight)
+        return changed
+
+    @property
+    def method(self):
+        """The collision method: DEM, CGPM, TDHS, CGHS, MPPIC or PLUGIN."""
+        return case_folder.checked_method(self._dictionaries.value(COUPLING, "method", "DEM"))
+
+    @property
+    def weight(self):
+        """Real particles per tracked one."""
+        return case_folder.checked_weight(self._dictionaries.value(COUPLING, "weight", "1"))
+
+    @property
+    def parameters(self):
+        """{name: number, word or tuple} of the case's `parameters`, as changed."""
+        if not self._dictionaries.has(PARAMETERS):
+            return {}
+        values = parameters.values_of(self._dictionaries.text(PARAMETERS))
+        return {name: parameters.numbers(value) if isinstance(value, str) else value for name, value in values.items()}
+
+    def run(self, out=None, ranks=1, until=None, start=None, wall_limit=None, overwrite=False, picture=False, quiet=True, wait=True):
+        """The `Run` of this case in the folder `out` (default: that of tools/run), on `ranks` MPI ranks to the simulated time `until` [s]
+        (default: the case's).
+
+        `start`: "RUN@TIME", whose bed and gas it begins with; `wall_limit` [s] of wall time; `picture`: draw bed.png; `quiet`: the
+        program's output goes into its log only. With `wait` false it returns once the run has begun: run.state, run.wait(), run.stop().
+        A run that does not reach its end is returned, too, with the reason on standard error: see run.ok. InputError where the case is
+        refused, or `out` holds an earlier run and not `overwrite`; StepFailed where a step before the program fails (build, mesh, prepare).
+        """
+        if int(ranks) != ranks or ranks < 1:
+            raise InputError(f"ranks = {ranks!r}: give a whole number from 1 on")
+        folder = os.path.abspath(out or default_folder(self.path, self.method, self.weight, ranks))
+        words = [self.path, "--ranks", str(int(ranks))]
+        for name, text in (("--method", self._method), ("--weight", self._weight), ("--until", until), ("--from", start),
+                           ("--wall-limit", wall_limit)):  # fmt: skip
+            words += [] if text is None else [name, as_written(text)]
+        for name, text in self._settings.items():
+            words += ["--set", f"{name}={text}"]
+        words += ["--overwrite"] * bool(overwrite) + ["--no-picture"] * (not picture)
+        launched = Launched(words, folder, quiet)
+        launched.wait() if wait else launched.accepted()
+        return Run(folder, launched)
+
+    def __repr__(self):
+        return f"Case({self.path!r})" + (f".set({', '.join(self._settings)})" if self._settings else "")
+
+
+def as_written(value):
+    """A value as OpenFOAM's files have it: 2.19, yes, (15 1 45); all digits of a number."""
+    if isinstance(value, str):
+        return value.strip()
+    if hasattr(value, "tolist"):  # of numpy
+        value = value.tolist()
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, (list, tuple)):
+        return "(" + " ".join(map(as_written, value)) + ")"
+    return repr(value)

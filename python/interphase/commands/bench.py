@@ -1,0 +1,338 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where the time goes, as ratios measured side by side.
+
+Commands:
+  overhead   LIGGGHTS driven by interphase (`gas none`) against the packaged liggghts binary on the same script: the time
+             of the step loop of each, run in turn. Prints the ratio native / coupled pair by pair and its median; 1 is parity.
+  methods    The collision methods beside each other on sscp1, each from a bed that has bubbled for a while: seconds of the
+             particle phase per simulated second, run in turn, and how many times faster than DEM each is.
+  cost       Where a step of the hard spheres goes: search, walls, contacts, integration, communication.
+  scaling    Cost per particle and step as their number grows: hard spheres in settled beds of 10^3 to 10^6 (TDHS), or
+             parcels of MP-PIC in sscp1, 10^4 to 10^6 of them in the same vessel and mesh (MPPIC).
+  phases     A coupled run: the share of each phase in its wall-clock time, what the coupling itself costs
+             (mapping + exchange + output), and the whole against solids + gas alone.
+  records    What it costs that nothing is lost, on sscp1: rows, one a gas step; a checkpoint; as shares of the time.
+
+Machines are noisy and often shared, so single seconds mean little: read the ratios, and repeat.
+
+Examples:
+  tools/bench overhead --until 0.02 --pairs 5
+  tools/bench phases --method DEM --until 0.5
+  tools/bench methods --rounds 3
+  tools/bench cost
+  tools/bench scaling --method MPPIC
+"""
+
+import argparse
+import math
+import os
+import re
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+
+import h5py
+
+from interphase import launch, parameters
+from interphase.tree import CASES, REPOSITORY, TOOLS
+
+
+CASE = os.path.join(CASES, "sscp1")
+
+
+def parameter(name):
+    """Of sscp1, a number."""
+    return float(parameters.read(os.path.join(CASE, parameters.PARAMETERS))[name])
+
+
+def coupled_run(folder, method, until, settings, case=CASE):
+    arguments = [os.path.join(TOOLS, "run"), case, "--method", method, "--until", str(until), "--out", folder,
+                 "--no-picture", "--overwrite"]
+    for setting in settings:
+        arguments += ["--set", setting]
+    done = subprocess.run(arguments, capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit(f"bench: {' '.join(arguments)} failed:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
+    with h5py.File(os.path.join(folder, "results.h5"), "r") as results:
+        timing = dict(results["timing"].attrs)
+        meta = dict(results["meta"].attrs)
+    return timing, meta
+
+
+def native_loop_seconds(folder, meta):
+    """Time of the step loop of the packaged liggghts on the case that `folder` holds."""
+    variables = []
+    for name, value in parameters.read(os.path.join(folder, parameters.PARAMETERS)).items():
+        variables += ["-var", name, value]
+    steps = round(float(meta["simulated_time"]) / float(meta["solid_step"]))
+    script = os.path.join(folder, "dem", "in.native")
+    with open(script, "w") as stream:
+        stream.write(f"include dem/in.liggghts\ntimestep {float(meta['solid_step'])!r}\nrun {steps}\n")
+    environment = {**os.environ, **launch.additions(os.environ)}
+    log = os.path.join(folder, "dem", "log.native")
+    subprocess.run(["liggghts", "-in", "dem/in.native", "-log", "dem/log.native", "-screen", "/dev/null", *variables],
+                   cwd=folder, env=environment, check=True)
+    with open(log) as stream:
+        found = re.search(r"Loop time of (\S+)", stream.read())
+    return float(found.group(1))
+
+
+def overhead(given):
+    ratios = []
+    with tempfile.TemporaryDirectory(prefix="interphase-bench-") as scratch:
+        folder = os.path.join(scratch, "run")
+        for pair in range(given.pairs):
+            timing, meta = coupled_run(folder, given.method, given.until,
+                                       ["system/couplingDict:gas/model=none", "system/couplingDict:gas/coupling=oneWay"])
+            native = native_loop_seconds(folder, meta)
+            ratios.append(native / float(timing["solids"]))
+            print(f"pair {pair + 1}: native {native:.2f} s, in the coupler {float(timing['solids']):.2f} s, "
+                  f"native / coupled {ratios[-1]:.3f}", flush=True)
+    print(f"median native / coupled {statistics.median(ratios):.3f} (min {min(ratios):.3f}, max {max(ratios):.3f})")
+
+
+def phases(given):
+    scratch = None
+    if given.run:
+        with h5py.File(os.path.join(given.run, "results.h5"), "r") as results:
+            timing, meta = dict(results["timing"].attrs), dict(results["meta"].attrs)
+    else:
+        scratch = tempfile.mkdtemp(prefix="interphase-bench-")
+        timing, meta = coupled_run(os.path.join(scratch, "run"), given.method, given.until, [])
+    wall, simulated = float(meta["wall_time"]), float(meta["simulated_time"])
+    method = meta['method'].decode() if isinstance(meta['method'], bytes) else meta['method']
+    print(f"{method}, weight {float(meta['weight']):g}, {simulated:g} s simulated, {int(meta['ranks'])} rank(s)")
+    print(f"{'phase':10s} {'s per simulated s':>18s} {'share':>7s}")
+    for phase in ("solids", "gas", "mapping", "exchange", "output", "waiting", "setup"):
+        seconds = float(timing[phase])
+        print(f"{phase:10s} {seconds / simulated:18.2f} {100 * seconds / wall:6.1f} %")
+    coupling = sum(float(timing[phase]) for phase in ("mapping", "exchange", "output"))
+    engines = float(timing["solids"]) + float(timing["gas"])
+    running = wall - float(timing["setup"])
+    print(f"mapping + exchange + output: {100 * coupling / running:.1f} % of the time after set-up")
+    print(f"whole / (solids + gas): {running / engines:.3f}")
+    if scratch:
+        shutil.rmtree(scratch)
+
+
+METHODS = {  # name: method, weight, entries of couplingDict and controlDict
+    "DEM": ("DEM", 1, []),
+    "TDHS": ("TDHS", 1, []),
+    "TDHS, 1.4 t_c": ("TDHS", 1, ["stepsPerCollision 0.5;"]),
+    "TDHS, 1.7 t_c": ("TDHS", 1, ["stepsPerCollision 0.59;", 1.2e-3]),
+    "TDHS, 2 t_c": ("TDHS", 1, ["stepsPerCollision 0.5;", 1.4e-3]),
+    "TDHS, 2.9 t_c": ("TDHS", 1, ["stepsPerCollision 0.33333;"]),
+    "CGHS": ("CGHS", 8, []),
+    "CGHS, 2 t_c": ("CGHS", 8, ["stepsPerCollision 0.5;", 2e-3]),
+    "CGHS, 3 t_c": ("CGHS", 8, ["stepsPerCollision 0.33333;", 3e-3]),
+}
+
+
+def case_with(scratch, name, entries):
+    """A copy of sscp1 with `entries` in its couplingDict (a number among them: the gas step)."""
+    folder = os.path.join(scratch, name)
+    shutil.copytree(CASE, folder)
+    coupling = os.path.join(folder, "system", "couplingDict")
+    with open(coupling) as stream:
+        text = stream.read()
+    script = 'script      "dem/in.liggghts";'
+    text = text.replace(script, " ".join([script, *(entry for entry in entries if isinstance(entry, str))]))
+    with open(coupling, "w") as stream:
+        stream.write(text)
+    return folder
+
+
+def solids_per_second(folder, out, method, weight, until, settings, start=None):
+    arguments = [os.path.join(TOOLS, "run"), folder, "--method", method, "--weight", str(weight), "--until", repr(until),
+                 "--out", out, "--no-picture", "--overwrite", "--quiet", *(["--from", start] if start else [])]
+    for setting in settings:
+        arguments += ["--set", setting]
+    done = subprocess.run(arguments, capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit(f"bench: {' '.join(arguments)} failed:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
+    with h5py.File(os.path.join(out, "results.h5"), "r") as results:
+        return float(results["timing"].attrs["solids"]) / float(results["meta"].attrs["simulated_time"])
+
+
+def methods(given):
+    wanted = given.only or list(METHODS)
+    beds = {}
+    for run in given.bed:
+        with h5py.File(os.path.join(run, "results.h5"), "r") as results:
+            beds[int(results["meta"].attrs["weight"])] = run
+    with tempfile.TemporaryDirectory(prefix="interphase-bench-") as scratch:
+        folders = {}
+        for name in wanted:
+            method, weight, entries = METHODS[name]
+            start = beds.setdefault(weight, os.path.join(scratch, f"start-{weight}"))
+            if not os.path.isdir(start):
+                solids_per_second(CASE, start, "CGHS" if weight > 1 else "TDHS", weight, given.start, [])
+            folders[name] = case_with(scratch, f"case-{len(folders)}", entries)
+        seconds = {name: [] for name in wanted}
+        for turn in range(given.rounds):
+            for name in wanted:
+                method, weight, entries = METHODS[name]
+                step = [f"system/controlDict:deltaT={entry}" for entry in entries if isinstance(entry, float)]
+                span = given.span if method == "DEM" else given.span * 6
+                span = round(span / 6e-3) * 6e-3
+                seconds[name].append(
+                    solids_per_second(folders[name], os.path.join(scratch, "run"), method, weight, span, step, beds[weight]))
+            told = ", ".join(f"{name} {seconds[name][-1]:.2f}" for name in wanted)
+            print(f"round {turn + 1}: seconds of solids per simulated second: {told}", flush=True)
+    print(f"{'method':14s} {'s per s':>9s} {'DEM / it, median (least to most)':>36s}")
+    for name in wanted:
+        line = f"{name:14s} {statistics.median(seconds[name]):9.2f}"
+        if "DEM" in wanted:
+            ratios = [dem / own for dem, own in zip(seconds["DEM"], seconds[name])]
+            line += f" {statistics.median(ratios):14.1f} ({min(ratios):.1f} to {max(ratios):.1f})"
+        print(line)
+
+
+PARTS = ("search", "walls", "contacts", "integration", "communication")
+SETTLED = """units si
+atom_style granular
+atom_modify map array sort 200 {bins}
+boundary f f f
+newton off
+communicate single vel yes
+read_data bed.data
+neighbor {diameter} bin
+neigh_modify delay 0
+fix en all property/global coefficientRestitution peratomtypepair 2 0.84 0.92 0.92 0.92
+fix et all property/global tangentialRestitution peratomtypepair 2 0.84 0.92 0.92 0.92
+fix mu all property/global coefficientFriction peratomtypepair 2 0.35 0.35 0.35 0.35
+fix w1 all wall/tdhs primitive type 2 xplane 0
+fix w2 all wall/tdhs primitive type 2 xplane {width}
+fix w3 all wall/tdhs primitive type 2 yplane 0
+fix w4 all wall/tdhs primitive type 2 yplane {width}
+fix w5 all wall/tdhs primitive type 2 zplane 0
+fix gravity all gravity 9.81 vector 0 0 -1
+fix hs all tdhs
+timestep 3.5e-4
+thermo_style custom step atoms v_hs_pairs {parts}
+thermo {steps}
+run {settle}
+run {steps}
+"""
+
+
+def records(given):
+    """Two lengths of a run, so that start and end of both cancel."""
+    print(f"{'method':8s} {'tracked':>8s} {'a row [ms]':>11s} {'share':>8s} {'a checkpoint [s]':>17s} {'every 600 s':>12s}")
+    for method, weight in (("TDHS", 1), ("CGHS", 8), ("CGHS", 64), ("MPPIC", 8)):
+        seldom = ["system/controlDict:writeInterval=1000", "system/couplingDict:records/snapshotInterval=1000"]
+        rows = [f"weight={weight}", f"system/couplingDict:records/interval={given.interval}", *seldom]
+        with tempfile.TemporaryDirectory(prefix="interphase-bench-") as scratch:
+            def spent(until, kept):
+                case = os.path.join(scratch, "case")
+                if not os.path.isdir(case):
+                    shutil.copytree(CASE, case)
+                with open(os.path.join(CASE, "system/couplingDict")) as stream:
+                    text = stream.read() + f"\ncheckpoint {{ wallInterval 0; {kept} }}\n"
+                with open(os.path.join(case, "system/couplingDict"), "w") as stream:
+                    stream.write(text)
+                timing, meta = coupled_run(os.path.join(scratch, "run"), method, until, rows, case)
+                return float(timing["output"]), float(meta["wall_time"]), round(until / 1e-3), float(meta["particles"])
+
+            short, long = spent(given.until, ""), spent(3 * given.until, "")
+            output, wall, steps = (b - a for a, b in zip(short[:3], long[:3]))
+            count = 10
+            kept = (spent(given.until, f"interval {given.until / count};")[0] - short[0]) / count
+        print(f"{method:5s}{weight:3d} {short[3]:8.0f} {1e3 * output / steps:11.2f} {100 * output / wall:6.2f} % {kept:17.2f} "
+              f"{100 * kept / 600:10.2f} %", flush=True)
+
+
+def settled_bed(count, settle, steps, ranks=1):
+    """Seconds per step of each part, in a bed of `count` spheres of 3.256 mm that has come to rest; contacts per sphere."""
+    diameter = 3.256e-3
+    width = max(8 * diameter, (count * math.pi / 6 * diameter**3 / 0.4 / 4) ** (1 / 3))
+    with tempfile.TemporaryDirectory(prefix="interphase-bench-") as scratch:
+        subprocess.run([os.path.join(TOOLS, "bed"), "--count", str(count), "--diameter", repr(diameter), "--density", "1131",
+                        "--box", "0", repr(width), "0", repr(width), "0", repr(12 * width), "--packing", "0.4",
+                        "--types", "2", "--out", "bed.data"], cwd=scratch, check=True, capture_output=True)
+        with open(os.path.join(scratch, "in.settled"), "w") as stream:
+            stream.write(SETTLED.format(bins=2 * diameter, diameter=diameter, width=width, settle=settle, steps=steps,
+                                        parts=" ".join(f"v_hs_{part}" for part in PARTS)))
+        environment = {**os.environ, **launch.additions(os.environ)}
+        program = os.path.join(REPOSITORY, "build", "release", "interphase-liggghts")
+        before = ["mpirun", "-np", str(ranks), "--oversubscribe"] if ranks > 1 else []
+        subprocess.run([*before, program, "-plugin", "hard_sphere", "-in", "in.settled", "-screen", "none"], cwd=scratch,
+                       env=environment, check=True)
+        with open(os.path.join(scratch, "log.liggghts")) as stream:
+            log = stream.read()
+    loop = float(re.findall(r"Loop time of (\S+)", log)[-1])
+    rows = [line.split() for line in log.splitlines() if re.fullmatch(r"[\d\s.e+-]+", line) and len(line.split()) == 3 + len(PARTS)]
+    spent = [(float(b) - float(a)) / steps for a, b in zip(rows[-2][3:], rows[-1][3:])]
+    return dict(zip(PARTS, spent)), loop / steps, float(rows[-1][2]) / count
+
+
+def cost(given):
+    spent, whole, contacts = settled_bed(given.count, given.settle, given.steps)
+    print(f"{given.count} spheres at rest, {contacts:.2f} contacts within the margin per sphere")
+    print(f"{'part':14s} {'ns per sphere and step':>24s} {'share':>7s}")
+    rest = whole - sum(spent.values())
+    for part, seconds in [*spent.items(), ("LIGGGHTS", rest), ("whole", whole)]:
+        print(f"{part:14s} {1e9 * seconds / given.count:24.1f} {100 * seconds / whole:6.1f} %")
+
+
+def scaling(given):
+    {"TDHS": scaling_of_hard_spheres, "MPPIC": scaling_of_mp_pic}[given.method](given)
+
+
+def scaling_of_hard_spheres(given):
+    print(f"{'spheres':>9s} {'ns per sphere and step':>24s}")
+    for count in (1_000, 10_000, 100_000, 1_000_000):
+        _, whole, _ = settled_bed(count, given.settle, max(20, min(2000, 2_000_000 // count)))
+        print(f"{count:9d} {1e9 * whole / count:24.1f}", flush=True)
+
+
+def scaling_of_mp_pic(given):
+    count, diameter = parameter("particleCount"), parameter("diameter")
+    print(f"{'parcels':>9s} {'solids':>10s} {'mapping and exchange':>22s}   ns per parcel and step")
+    with tempfile.TemporaryDirectory(prefix="interphase-bench-") as scratch:
+        for parcels in (10_000, 100_000, 1_000_000):
+            # as much solid volume in each: the same bed
+            settings = ["weight=1", f"particleCount={parcels}", f"diameter={diameter * (count / parcels) ** (1 / 3)!r}"]
+            timing, meta = coupled_run(os.path.join(scratch, "run"), "MPPIC", given.until, settings)
+            steps = parcels * float(meta["simulated_time"]) / float(meta["solid_step"])
+            coupling = float(timing["mapping"]) + float(timing["exchange"])
+            print(f"{parcels:9d} {1e9 * float(timing['solids']) / steps:10.1f} {1e9 * coupling / steps:22.1f}", flush=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="tools/bench", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    commands = parser.add_subparsers(dest="command", required=True)
+    one = commands.add_parser("overhead", help="the coupler's LIGGGHTS against the packaged one")
+    one.add_argument("--method", default="DEM", choices=["DEM", "CGPM"])
+    one.add_argument("--until", type=float, default=0.02, help="simulated seconds (default 0.02)")
+    one.add_argument("--pairs", type=int, default=3)
+    two = commands.add_parser("phases", help="shares of the phases of a coupled run")
+    two.add_argument("--method", default="CGPM", choices=["DEM", "CGPM"])
+    two.add_argument("--until", type=float, default=0.2)
+    two.add_argument("--run", metavar="DIR", help="read a finished run instead of making one")
+    six = commands.add_parser("records", help="rows and checkpoints")
+    six.add_argument("--until", type=float, default=0.1, help="simulated seconds of the shorter run (default 0.1)")
+    six.add_argument("--interval", type=float, default=0.05, help="between two rows of /series [s] (default 0.05, the case's own); /ledger has one a gas step")
+    three = commands.add_parser("methods", help="DEM, TDHS and CGHS beside each other")
+    three.add_argument("--rounds", type=int, default=3)
+    three.add_argument("--span", type=float, default=0.03, help="simulated seconds of DEM per round (default 0.03); others six times that")
+    three.add_argument("--start", type=float, default=1.2, help="when the beds are taken [s] (default 1.2)")
+    three.add_argument("--bed", metavar="RUN", action="append", default=[],
+                       help="take the bed from this finished run of sscp1, for methods of its weight; may be given again")
+    three.add_argument("--only", action="append", choices=list(METHODS), help="this one; may be given again")
+    four = commands.add_parser("cost", help="parts of a hard-sphere step")
+    four.add_argument("--count", type=int, default=95000)
+    five = commands.add_parser("scaling", help="cost of a step of hard spheres or MP-PIC as the number of particles grows")
+    five.add_argument("--method", default="TDHS", choices=["TDHS", "MPPIC"])
+    five.add_argument("--until", type=float, default=0.1, help="MPPIC: simulated seconds (default 0.1)")
+    for one_of in (four, five):
+        one_of.add_argument("--settle", type=int, default=1000, help="steps before measuring (default 1000)")
+    four.add_argument("--steps", type=int, default=200)
+    given = parser.parse_args()
+    {"overhead": overhead, "phases": phases, "methods": methods, "cost": cost, "scaling": scaling, "records": records}[given.command](given)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Start a plug-in: a project of its own, outside this tree, that builds, tests and runs as it is."""
+
+import argparse
+import os
+import re
+import sys
+
+from interphase.input_error import InputError
+from interphase.tree import REPOSITORY, TOOLS
+
+TEMPLATE = os.path.join(TOOLS, "templates", "plugin")
+
+# CMake keeps these names of targets for itself.
+TAKEN = ("all", "clean", "edit_cache", "help", "install", "package", "rebuild_cache", "test")
+
+EXAMPLE = """example:
+  tools/new-plugin bouncy ~/bouncy
+  cd ~/bouncy && cmake -B build -S . && cmake --build build && ctest --test-dir build
+
+DIR then holds the source of a small collision style, its test, a script for LIGGGHTS alone, a case with gas, and a
+README.md with all commands. plugins/README.md tells what a plug-in may do.
+
+exit code: 0 when it is written, 2 where the name or the folder is refused."""
+
+
+def arguments():
+    parser = argparse.ArgumentParser(
+        prog="tools/new-plugin", description=__doc__, epilog=EXAMPLE, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("name", metavar="NAME", help="of the plug-in: lower-case letters, digits and '_'")
+    parser.add_argument("folder", metavar="DIR", nargs="?", help="where to write it (default: ./NAME)")
+    return parser.parse_args()
+
+
+def checked_name(name):
+    if not re.fullmatch(r"[a-z][a-z0-9_]*", name):
+        raise InputError(f"the name '{name}' will not do: give lower-case letters, digits and '_', a letter first, "
+                      "since the library, the class and the style are called after it")  # fmt: skip
+    if name in TAKEN:
+        raise InputError(f"the name '{name}' is one that CMake keeps for itself: give another one, such as my_{name}")
+    return name
+
+
+def checked_folder(given):
+    folder = os.path.realpath(given)
+    if os.path.commonpath([folder, REPOSITORY]) == REPOSITORY:
+        raise InputError(f"{given} is inside the tree of interphase ({REPOSITORY}): give a folder elsewhere as DIR. "
+                      "Plug-ins that belong to interphase are described in plugins/README.md")  # fmt: skip
+    unfit = re.search(r"[\s\"';{}$\\]", folder)
+    if unfit:
+        raise InputError(f"'{folder}': OpenFOAM bears no '{unfit[0]}' in a path; give another folder as DIR")
+    if os.path.lexists(given) and not os.path.isdir(folder):
+        raise InputError(f"{given} is a file: give a folder as DIR")
+    if os.path.isdir(folder) and os.listdir(folder):
+        raise InputError(f"{given} is not empty, and what is there stays: give an empty or a new folder as DIR")
+    return folder
+
+
+def write(folder, values):
+    """The template with @KEY@ replaced, in names and in texts."""
+
+    def filled(text):
+        for key, value in values.items():
+            text = text.replace(f"@{key}@", value)
+        return text
+
+    for base, _, files in os.walk(TEMPLATE):
+        target = os.path.join(folder, os.path.relpath(base, TEMPLATE))
+        os.makedirs(target, exist_ok=True)
+        for file in files:
+            with open(os.path.join(base, file), encoding="utf-8") as stream:
+                text = stream.read()
+            with open(os.path.join(target, filled(file)), "w", encoding="utf-8") as stream:
+                stream.write(filled(text))
+
+
+def main():
+    given = arguments()
+    name = checked_name(given.name)
+    folder = checked_folder(given.folder or name)
+    build = os.path.join(REPOSITORY, "build", "release")
+    try:
+        write(folder, {"NAME": name, "CLASS": "".join(part.capitalize() for part in name.split("_")),
+                       "INTERPHASE_BUILD": build, "INTERPHASE_TOOLS": TOOLS})  # fmt: skip
+    except OSError as error:
+        raise InputError(f"{folder} cannot be written: {error}") from None
+    print(f"{name} is in {folder}. Next:\n")
+    if not os.path.exists(os.path.join(build, "interphaseConfig.cmake")):
+        print(f"  {os.path.join(TOOLS, 'setup')}      (builds interphase)")
+    print(f"  cd {folder}\n  cmake -B build -S . && cmake --build build && ctest --test-dir build\n"
+          f"  {os.path.join(TOOLS, 'run')} case\n\nREADME.md there tells the rest.")  # fmt: skip
+    return 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except InputError as refused:
+        print(f"tools/new-plugin: error: {refused}", file=sys.stderr)
+        sys.exit(2)

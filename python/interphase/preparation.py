@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the `prepare` of a case needs: the numbers of its file `parameters`, checked, and tools/bed.
+
+Every function ends the program with a message that says what is wrong where a number is missing or cannot be.
+"""
+
+import math
+import sys
+
+from interphase import parameters
+from interphase.commands import bed
+from interphase.input_error import InputError
+
+# Methods that track every particle, and their counterparts for parcels
+PARCELS_INSTEAD = {"DEM": "CGPM", "TDHS": "CGHS"}
+
+
+def values():
+    """{name: text} of the file `parameters` in the current folder."""
+    try:
+        return parameters.read(parameters.PARAMETERS)
+    except InputError as error:
+        sys.exit(f"prepare: {error}")
+
+
+def number(value, key, holds=math.isfinite, demand="a finite number"):
+    """The number that `value` has at `key`, which must satisfy `holds`; `demand` says so in words."""
+    try:
+        found = float(value[key])
+    except KeyError:
+        sys.exit(f"prepare: '{key}' is missing in parameters")
+    except ValueError:
+        sys.exit(f"prepare: '{key}' in parameters is no number: '{value[key]}'")
+    if not holds(found):
+        sys.exit(f"prepare: '{key}' in parameters must be {demand}, is {value[key]}")
+    return found
+
+
+def positive(value, key):
+    return number(value, key, lambda x: 0 < x < math.inf, "positive")
+
+
+def tracked_weight(value):
+    """Real particles per tracked one, which must go with the method."""
+    weight = number(value, "weight", lambda w: 1 <= w < math.inf, "1 or more: it counts real particles per tracked one")
+    method = value.get("method")
+    if method in PARCELS_INSTEAD and weight != 1:
+        sys.exit(
+            f"prepare: weight {weight:g} in parameters, but method {method} tracks every particle; "
+            f"set weight 1 or method {PARCELS_INSTEAD[method]}"
+        )
+    return weight
+
+
+def tracked_count(value, weight):
+    """How many are tracked of `particleCount` real particles."""
+    real = number(value, "particleCount", lambda n: 1 <= n < math.inf, "1 or more")
+    count = round(real / weight)
+    if count < 1 or abs(count * weight - real) > 1e-3 * real:
+        sys.exit(
+            f"prepare: {count} parcels of weight {weight:g} stand for {count * weight:g} particles, "
+            f"not for {real:g} within 0.1 %; change weight or particleCount in parameters"
+        )
+    return count
+
+
+def write_bed(*arguments):
+    """dem/bed.data by tools/bed, whose refusals end the program. Numbers are handed over with all their digits."""
+    words = [repr(word) if isinstance(word, float) else str(word) for word in arguments]
+    bed.main([*words, "--out", "dem/bed.data"])
+
+
+def write_spheres(centres, diameter, density, box, types=2, velocities=None):
+    """dem/bed.data of equal spheres of type 1 at `centres` [n, 3] in the LIGGGHTS domain `box` (low and high along x, y, z), at rest
+    or with `velocities` [n, 3] and no rotation, SI units."""
+    with open("dem/bed.data", "w", encoding="ascii") as out:
+        out.write(f"LIGGGHTS data file, atom_style granular, SI units: {len(centres)} spheres\n\n")
+        out.write(f"{len(centres)} atoms\n{types} atom types\n\n")
+        for axis, low, high in zip("xyz", box[0::2], box[1::2]):
+            out.write(f"{float(low)!r} {float(high)!r} {axis}lo {axis}hi\n")
+        out.write("\nAtoms\n\n")
+        for number_, (x, y, z) in enumerate(centres, 1):
+            out.write(f"{number_} 1 {float(diameter)!r} {float(density)!r} {float(x)!r} {float(y)!r} {float(z)!r}\n")
+        if velocities is None:
+            return
+        out.write("\nVelocities\n\n")
+        for number_, (u, v, w) in enumerate(velocities, 1):
+            out.write(f"{number_} {float(u)!r} {float(v)!r} {float(w)!r} 0 0 0\n")

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A run in its folder: how it stands, what it has recorded, and how it is ended and gone on with."""
+
+import os
+import signal
+import time
+
+from interphase import run_state
+from interphase.foam_file import nearest
+from interphase.input_error import InputError
+from interphase.launched import Launched
+from interphase.tree import CASES
+
+
+class Run:
+    """The run in the folder `path`, also one that still goes; InputError where there is none."""
+
+    def __init__(self, path, launched=None):
+        """`launched`: the `Launched` that makes it, where this program does."""
+        self.path = os.path.abspath(os.fspath(path))
+        self._launched = launched
+        if not os.path.isdir(self.path):
+            what = "is a file" if os.path.exists(self.path) else "no such folder"
+            raise InputError(f"{path}: {what}; give the folder of a run, such as runs/sscp1-CGPM-w8")
+        if not any(os.path.exists(self._file(name)) for name in (run_state.MARK, "results.h5", "particles.h5")):
+            raise InputError(f"{path}: there is none of run.json, results.h5, particles.h5 in it: it is no run")
+
+    def _file(self, *names):
+        return os.path.join(self.path, *names)
+
+    @property
+    def record(self):
+        """What run.json says: case, method, weight, ranks, settings, command, exit_code, wall_time [s]; {} without one."""
+        return run_state.record(self.path)
+
+    @property
+    def state(self):
+        """One of running, ended, stopped, failed, broken off, unknown; run_state.state_of says which is what."""
+        found = run_state.state_of(self.record)
+        if found == run_state.UNKNOWN and "wall_time" in self.meta:
+            return run_state.ENDED  # the program's own word, where it was started without tools/run
+        return found
+
+    @property
+    def ok(self):
+        """Whether the run has reached its end, without an error."""
+        return self.state == run_state.ENDED
+
+    @property
+    def meta(self):
+        """{name: number or text} of /meta of results.h5: version, commit, solid_step [s], real_particles, ...; {} before it is there."""
+        from interphase import stored
+        return stored.attributes(self._file("results.h5"), "meta")
+
+    @property
+    def series(self):
+        """{name: Series} of /series of results.h5 as far as they are written: pressure_drop, bed_height, kinetic_energy, ..."""
+        from interphase import series
+        return series.Table(self._file("results.h5"), "series")
+
+    @property
+    def ledger(self):
+        """{name: Series} of /ledger of results.h5: what was counted, and the residuals of the balances, in each gas step."""
+        from interphase import series
+        return series.Table(self._file("results.h5"), "ledger")
+
+    @property
+    def snapshots(self):
+        """The particle snapshots that are whole, in order of time: a sequence of `Snapshot`, read when asked for."""
+        from interphase import snapshots
+        return snapshots.Snapshots(self._file("particles.h5"))
+
+    def fields(self, name, time=None):
+        """The gas field `name` (voidage, U, p_rgh, ...) in all cells at `time` [s] (default: the last that was written), a
+        `GasField`: values [n] or [n, components], unit. InputError where it is not there, or still in pieces of the ranks."""
+        from interphase import gas_fields
+        return gas_fields.read(self.path, name, time)
+
+    @property
+    def field_times(self):
+        """[n] times at which the gas was written, s, ascending."""
+        from interphase import gas_fields
+        return sorted(gas_fields.times(self.path).values())
+
+    @property
+    def statistics(self):
+        """{path: Stored} of the numbers that `tools/report` has put into results.h5, such as "profiles/means/pressure_drop": values,
+        unit, and what else it says of them. InputError where it has not been called for this run."""
+        from interphase import stored
+        found = stored.below(self._file("results.h5"), ("profiles", "histograms"))
+        if not found:
+            raise InputError(f"{self.path}: results.h5 holds no statistics; `tools/report {self.path}` puts them there")
+        return found
+
+    def wait(self):
+        """Returns when the run is no longer running; errors as of Case.run."""
+        if self._launched is not None:
+            self._launched.wait()
+            self._launched = None
+        while self.state == run_state.RUNNING:
+            time.sleep(0.1)
+        return self
+
+    def stop(self, wait=True):
+        """End the run after the gas step in progress, with gas, checkpoint and records; `resume` goes on from there. InputError where no
+        process of this machine runs it."""
+        process = run_state.process_of(self.record)
+        if process is None:
+            raise InputError(f"{self.path}: the run is not running here ({self.state}): there is nothing to stop")
+        os.kill(process, signal.SIGTERM)
+        return self.wait() if wait else self
+
+    def resume(self, until=None, ranks=None, wall_limit=None, picture=False, quiet=True, wait=True):
+        """Go on from the newest whole checkpoint, to `until` [s] where it is given, on as many ranks or on `ranks`; the rest is as of
+        Case.run. InputError where the run still goes, or has no checkpoint."""
+        if self.state == run_state.RUNNING:
+            raise InputError(f"{self.path}: the run still goes; stop() or wait() come first")
+        words = [self._source(), "--resume", *["--no-picture"] * (not picture)]
+        for name, value in (("--until", until), ("--ranks", ranks), ("--wall-limit", wall_limit)):
+            words += [] if value is None else [name, str(value)]
+        self._launched = Launched(words, self.path, quiet)
+        if wait:
+            return self.wait()
+        self._launched.accepted()
+        return self
+
+    def _source(self):
+        """The folder of the case that this is a run of."""
+        found = self.record
+        if "case" not in found:
+            raise InputError(f"{self.path}: run.json does not say of which case it is a run: tools/run did not make it; the program goes "
+                             "on with it by `interphase -case FOLDER -resume`")  # fmt: skip
+        places = [place for place in (found.get("source"), os.path.join(CASES, found["case"])) if place]
+        there = [place for place in places if os.path.isdir(place)]
+        if not there:
+            raise InputError(f"{self.path}: its case is no longer at {places[0]}; put it back to go on")
+        return there[0]
+
+    def __repr__(self):
+        return f"<Run {self.path}: {self.state}>"
+
+
+def no_such(what, name, names):
+    """The InputError for a `name` that is not among `names`."""
+    return InputError(f"{what} has no '{name}': {nearest(name, names)}")

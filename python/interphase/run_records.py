@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Read what a run of ours has recorded: particles.h5 and results.h5."""
+
+import os
+
+import h5py
+import numpy
+
+from interphase.input_error import InputError
+from interphase.particle_states import Frame, by_id
+from interphase.whole_records import whole_rows, whole_snapshots
+
+PARTICLES, RESULTS = "particles.h5", "results.h5"
+DATASETS = {"position": "position", "velocity": "velocity", "angular_velocity": "spin", "force": "force"}
+
+
+def open_h5(path):
+    try:
+        return h5py.File(path, "r")
+    except OSError as error:
+        raise InputError(
+            f"{path}: cannot be read as HDF5: {error}; is the run still writing, or was it killed?"
+        ) from None
+
+
+class Run:
+    """A run's records. `particles` and `results` are the paths of the files that are there, else None."""
+
+    kind = "run"
+    digits = None
+    text_columns = frozenset()
+
+    def __init__(self, path, particles=None, results=None, meta=None):
+        """`meta`: the results.h5 to take the solid step from, where its series are not asked for."""
+        self.path, self.particles, self.results = path, particles, results
+        self._meta = results or meta
+
+    def describe(self):
+        parts = [os.path.basename(file) for file in (self.particles, self.results) if file]
+        return f"{self.path} ({self.kind}: {', '.join(parts)})"
+
+    def solid_step(self):
+        """The attribute `solid_step` of /meta [s], None where it is not recorded."""
+        if self._meta is None:
+            return None
+        with open_h5(self._meta) as file:
+            if "meta" not in file or "solid_step" not in file["meta"].attrs:
+                return None
+            value = file["meta"].attrs["solid_step"]
+        try:
+            step = float(numpy.asarray(value).reshape(()))
+        except (TypeError, ValueError):
+            step = numpy.nan
+        if not 0 < step < numpy.inf:
+            raise InputError(f"{self._meta}: /meta attribute solid_step = {value!r}; a time in s above 0 is expected")
+        return step
+
+    def frames(self, only=None):
+        """`Frame`s in the order of time; `only`: the data sets to load, all where None."""
+        if self.particles is None:
+            return
+        with open_h5(self.particles) as file:
+            if "snapshots" not in file:
+                raise InputError(f"{self.particles}: no group /snapshots; is it the particles.h5 of a run?")
+            whole = whole_snapshots(file)
+            for (earlier, name, _), (later, other, _) in zip(whole, whole[1:]):
+                if not earlier < later:
+                    raise InputError(f"{self.particles}: snapshots {name} and {other} both are of time {later!r} s")
+            for time, name, group in whole:
+                where = f"{self.particles}:/snapshots/{name} (t = {time:.9g} s)"
+                yield Frame(where, None, time, lambda group=group, where=where: self._particles(group, where, only))
+
+    @staticmethod
+    def _particles(group, where, only=None):
+        def refuse(message):
+            raise InputError(message)
+
+        if "id" not in group:
+            refuse(f"{where}: no dataset `id`; particles are matched by it")
+        ids = group["id"][()]
+        quantities = {}
+        for name, dataset in group.items():
+            if name == "id" or not isinstance(dataset, h5py.Dataset) or dataset.dtype.kind not in "fiu":
+                continue
+            if only is not None and name not in only:
+                continue
+            shape = (len(ids), 3) if name in DATASETS else (len(ids),)
+            if dataset.shape[:1] != shape[:1] or (name in DATASETS and dataset.shape != shape):
+                refuse(f"{where}: dataset {name} has shape {dataset.shape}, {shape} is expected for {len(ids)} ids")
+            quantities[DATASETS.get(name, name)] = dataset[()].astype(float)
+        return by_id(ids, quantities, None, where, refuse)
+
+    def series(self):
+        """(time [n], {name: values [n]}) of results.h5; each column of a two-dimensional dataset is its own series."""
+        if self.results is None:
+            return None
+        with open_h5(self.results) as file:
+            if "series" not in file or "time" not in file["series"]:
+                return None
+            group = file["series"]
+            rows = whole_rows(group)
+            time = numpy.asarray(group["time"][:rows], dtype=float)
+            if time.ndim != 1 or not numpy.isfinite(time).all() or not (numpy.diff(time) > 0).all():
+                raise InputError(f"{self.results}: /series/time must be finite and ascend, found shape {time.shape}"
+                                 f"{self._bad_time(time)}")
+            found = {}
+            for name, dataset in group.items():
+                if name == "time" or not isinstance(dataset, h5py.Dataset) or dataset.dtype.kind not in "fiu":
+                    continue
+                values = numpy.asarray(dataset[:rows], dtype=float)
+                if values.ndim == 1:
+                    found[name] = values
+                else:
+                    for i, column in enumerate(values.reshape(len(time), -1).T):
+                        found[f"{name}[{i}]"] = column
+            return time, found
+
+    @staticmethod
+    def _bad_time(time):
+        if time.ndim != 1:
+            return ""
+        bad = numpy.flatnonzero(~(numpy.diff(time) > 0))
+        return f"; time[{bad[0] + 1}] = {time[bad[0] + 1]!r} after {time[bad[0]]!r}" if len(bad) else ""
+
+
+def find_run(path):
+    """The `Run` that `path` means, None if it is none: a folder with particles.h5 or results.h5, or such a file."""
+    if os.path.isdir(path):
+        files = [os.path.join(path, name) for name in (PARTICLES, RESULTS)]
+        files = [file if os.path.isfile(file) else None for file in files]
+        return Run(path, *files) if any(files) else None
+    if not os.path.isfile(path) or not h5py.is_hdf5(path):
+        return None
+    with open_h5(path) as file:
+        particles, series = "snapshots" in file, "series" in file or "meta" in file
+    if not particles and not series:
+        raise InputError(f"{path}: holds neither /snapshots (particles.h5) nor /series (results.h5)")
+    beside = os.path.join(os.path.dirname(path), RESULTS)
+    return Run(path, path if particles else None, path if series else None, beside if os.path.isfile(beside) else None)

@@ -1,0 +1,282 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The statistics of one run, as Lu et al. give them: profiles, granular temperature, overlaps, voidage, pressure drop.
+
+Snapshots are read one by one; what is kept of each is a few hundred numbers.
+"""
+
+import dataclasses
+import math
+from dataclasses import dataclass, field
+from typing import Optional
+
+import numpy
+from scipy import signal
+
+from interphase import bed_statistics, time_statistics as statistics
+from interphase.input_error import InputError
+from interphase.statistical_comparison import uneven
+from interphase.time_statistics import Mean
+
+DEPTHS = ("front_slice", "full_depth")
+COMPONENTS = ("horizontal", "vertical")
+SPECTRUM_SAMPLES = 128
+DATA = ("position", "velocity", "diameter")
+WEIGHT = "weight"  # real particles in each sphere; recorded where it differs between them
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A number to be shown and compared; `mean` None: there is nothing to take it of. `shown_times`: for the table."""
+
+    name: str
+    unit: str
+    mean: Optional[Mean]
+    shown_times: float = 1.0
+
+
+@dataclass
+class Profile:
+    """Over the windows, for one depth: `Mean`s [windows] or None where no sphere's centre was in the window."""
+
+    number: list
+    velocity: dict
+    temperature: list
+    temperature_of: dict
+
+
+@dataclass
+class Histogram:
+    """Shares of all values in the bins between `edges`, with standard errors (NaN: unknown); `below` and `above` them."""
+
+    edges: numpy.ndarray
+    share: numpy.ndarray
+    error: numpy.ndarray
+    below: float
+    above: float
+
+
+@dataclass
+class RunReport:
+    """All of it. `first`, `last`: times of the first and last snapshot [s]. What is None was not measured."""
+
+    snapshots: int
+    first: float
+    last: float
+    windows: Optional[numpy.ndarray] = None
+    profiles: dict = field(default_factory=dict)
+    overlap: Optional[Histogram] = None
+    largest_overlap: Optional[float] = None
+    overlaps: list = field(default_factory=list)
+    voidage: Optional[Histogram] = None
+    voidages: list = field(default_factory=list)
+    series: list = field(default_factory=list)
+    pressure: Optional[tuple] = None
+    spectrum: Optional[tuple] = None
+    notes: list = field(default_factory=list)
+
+
+class _Rows:
+    """Numbers of each snapshot, by name."""
+
+    def __init__(self):
+        self.rows = {}
+
+    def add(self, **values):
+        for name, value in values.items():
+            self.rows.setdefault(name, []).append(value)
+
+    def __getattr__(self, name):
+        return numpy.array(self.rows[name])
+
+
+def measure(run, scene, chosen, series_chosen, progress=None):
+    """The `RunReport` of a `Run`.
+
+    `chosen(frame)` and `series_chosen(time)` say what counts; `progress(number, time)` is called at each snapshot.
+    InputError where a snapshot lacks what is needed.
+    """
+    rows = _Rows()
+    for frame in run.frames(only=(*DATA, WEIGHT)):
+        if not chosen(frame):
+            continue
+        state = frame.load().quantities
+        missing = [name for name in DATA if name not in state]
+        if missing:
+            raise InputError(f"{frame.where}: no data set {' and '.join(missing)}")
+        weight = state.setdefault(WEIGHT, numpy.ones(len(state["diameter"])))
+        for name in (*DATA, WEIGHT):
+            if not numpy.isfinite(state[name]).all():
+                raise InputError(f"{frame.where}: {name} holds NaN or infinite values; end before it by --until")
+        _measure_snapshot(state["position"], state["velocity"], state["diameter"], weight, scene, rows)
+        rows.add(time=frame.time)
+        if progress:
+            progress(len(rows.rows["time"]), frame.time)
+    times = rows.time
+    report = RunReport(len(times), float(times[0]), float(times[-1]))
+    if (spread := uneven(times)) is not None:
+        apart = f"{spread[0]:.4g} to {spread[1]:.4g} s apart"
+        report.notes.append(f"snapshots are {apart}; means are over samples, not over time")
+    if scene.windows:
+        _windows(report, scene.windows, rows)
+    if scene.overlaps:
+        _overlaps(report, scene.overlaps, rows)
+    if scene.voidage:
+        _voidage(report, scene.voidage, rows)
+    _series(report, run, series_chosen)
+    return report
+
+
+def _measure_snapshot(position, velocity, diameter, weight, scene, rows):
+    rows.add(spheres=len(diameter))
+    if scene.windows:
+        moments = (
+            bed_statistics.window_moments(position, velocity, weight, scene.windows, depth == "front_slice")
+            for depth in DEPTHS
+        )
+        number, real, sums, temperatures = zip(*moments)
+        rows.add(number=number, real=real, sums=sums, temperatures=temperatures)
+    if scene.overlaps:
+        values = bed_statistics.overlaps(position, diameter)
+        rows.add(
+            pairs=len(values), overlap_counts=bed_statistics.overlap_counts(values), largest=values.max(initial=0.0),
+            below=[numpy.count_nonzero(values < share) for share in scene.overlaps.shares],
+        )
+    if scene.voidage:
+        solid, outside = bed_statistics.solid_fraction(position, diameter, scene.voidage.mesh)
+        voidage = 1 - solid.ravel()
+        edges = numpy.linspace(scene.voidage.lowest, scene.voidage.highest, scene.voidage.bins + 1)
+        counts = _counted(voidage, edges)
+        rows.add(voidage_counts=counts, limit_counts=_counted(voidage, scene.voidage.limits), outside=outside)
+
+
+def _counted(values, edges):
+    """Numbers of values below the first edge, between them, and above the last: [len(edges) + 1].
+
+    A value on an edge belongs to the bin above, on the last one to the bin below it (if there is one): a voidage of 1 is
+    no more than the histogram's end.
+    """
+    edges = numpy.asarray(edges, dtype=float)
+    counts = numpy.bincount(numpy.searchsorted(edges, values, side="right"), minlength=len(edges) + 1)
+    at_end = numpy.count_nonzero(values == edges[-1])
+    if len(edges) > 1:
+        counts[-1] -= at_end
+        counts[-2] += at_end
+    return counts
+
+
+def _windows(report, windows, rows):
+    edges = bed_statistics.window_edges(windows)
+    report.windows = (edges[1:] + edges[:-1]) / 2
+    for at, depth in enumerate(DEPTHS):
+        numbers, real = rows.number[:, at], rows.real[:, at]
+        sums, temperatures = rows.sums[:, at], rows.temperatures[:, at]
+        every = range(windows.count)
+        report.profiles[depth] = Profile(
+            [statistics.mean_with_error(numbers[:, w]) for w in every],
+            {name: [_ratio(sums[:, w, axis], real[:, w]) for w in every] for axis, name in enumerate(COMPONENTS)},
+            [_mean(temperatures[:, w].sum(axis=1) / 3) for w in every],
+            {name: [_mean(temperatures[:, w, axis]) for w in every] for axis, name in enumerate(COMPONENTS)},
+        )
+
+
+def _ratio(above, below):
+    return statistics.ratio_with_error(above, below) if below.any() else None
+
+
+def _mean(values):
+    """`Mean` of what is not NaN, None where nothing is left."""
+    values = values[numpy.isfinite(values)]
+    return statistics.mean_with_error(values) if len(values) else None
+
+
+def _overlaps(report, wanted, rows):
+    counts, pairs = rows.overlap_counts, rows.pairs
+    report.largest_overlap = float(rows.largest.max())
+    # The bins reach wide; the histogram ends where the values do.
+    edges = bed_statistics.OVERLAP_EDGES
+    filled = numpy.flatnonzero(counts.any(axis=0))
+    if len(filled):
+        kept = slice(filled[0], filled[-1] + 1)
+        share = counts.sum(axis=0) / pairs.sum()
+        # Errors of hundreds of narrow bins tell little; shares and percentiles below have theirs.
+        report.overlap = Histogram(
+            edges[filled[0]:filled[-1] + 2], share[kept], numpy.full(len(share[kept]), math.nan), 0.0, 0.0
+        )
+    for at, share in enumerate(wanted.shares):
+        mean = _ratio(rows.below[:, at], pairs)
+        report.overlaps.append(Quantity(f"overlaps below {100 * share:g} % d", "%", mean, 100))
+    for level in wanted.percentiles:
+        mean = statistics.quantile_with_error(counts, edges, level / 100) if pairs.any() else None
+        report.overlaps.append(Quantity(f"overlap, percentile {level:g}", "% d", mean, 100))
+    report.overlaps.append(Quantity("overlapping pairs per sphere", "1", _ratio(pairs, rows.spheres)))
+
+
+def _voidage(report, wanted, rows):
+    counts, cells = rows.voidage_counts, math.prod(wanted.mesh.cells)
+    share = counts / cells
+    report.voidage = Histogram(
+        numpy.linspace(wanted.lowest, wanted.highest, wanted.bins + 1), share[:, 1:-1].mean(axis=0),
+        numpy.array([statistics.mean_with_error(column).error for column in share[:, 1:-1].T]),
+        float(share[:, 0].mean()), float(share[:, -1].mean()),
+    )
+    limits = wanted.limits
+    names = [f"voidage below {limits[0]:g}", *(f"voidage {a:g} to {b:g}" for a, b in zip(limits, limits[1:])),
+             f"voidage above {limits[-1]:g}"]
+    for name, column in zip(names, rows.limit_counts.T):
+        report.voidages.append(Quantity(name, "% of cells", statistics.mean_with_error(column / cells), 100))
+    if rows.outside.any():
+        most = rows.outside.max()
+        report.notes.append(f"spheres with their centre outside the mesh, left out of the voidage: up to {most} at a time")
+
+
+def _series(report, run, chosen):
+    try:
+        found = run.series()
+    except InputError as error:
+        report.notes.append(f"no series: {error}")
+        return
+    if found is None:
+        report.notes.append("no /series: neither pressure drop nor bed height nor kinetic energy")
+        return
+    times, columns = found
+    inside = numpy.array([chosen(time) for time in times], dtype=bool)
+    if not inside.any():
+        report.notes.append("no row of /series lies in the time range")
+        return
+    times = times[inside]
+    values = {name: column[inside] for name, column in columns.items()}
+    spread = uneven(times)
+    if spread:
+        apart = f"{spread[0]:.4g} to {spread[1]:.4g} s apart"
+        report.notes.append(f"rows of /series are {apart}; means are over samples, not over time")
+    if report.last - times[-1] > 1.5 * numpy.diff(times).max(initial=0.0):
+        report.notes.append(f"rows of /series end at {times[-1]:.4g} s, before the snapshots: what comes from them is of less time")
+    for name, unit in (("pressure_drop", "Pa"), ("bed_height", "m"), ("kinetic_energy", "J")):
+        if name not in values or not numpy.isfinite(values[name]).all():
+            report.notes.append(f"/series/{name}: " + ("NaN or infinite values" if name in values else "not there"))
+            continue
+        report.series.append(Quantity(name.replace("_", " "), unit, statistics.mean_with_error(values[name])))
+        if name == "pressure_drop":
+            report.pressure = times, values[name]
+            report.series.append(Quantity("pressure drop, deviation", "Pa", _deviation(values[name])))
+            if not spread:
+                report.spectrum = spectrum(times, values[name])
+
+
+def _deviation(values):
+    """`Mean` of the standard deviation of a series, its error that of the mean square to first order."""
+    square = statistics.mean_with_error((values - values.mean()) ** 2)
+    root = math.sqrt(square.value)
+    return dataclasses.replace(square, value=root, error=square.error / (2 * root) if root else 0.0)
+
+
+def spectrum(times, values):
+    """(frequency [Hz], power density [unit^2/Hz]), one-sided, by Welch's averaged segments; None for short series.
+
+    Segments are a quarter of the record long (Hann's window, half overlapping): seven of them are averaged.
+    """
+    if len(values) < SPECTRUM_SAMPLES:
+        return None
+    interval = (times[-1] - times[0]) / (len(times) - 1)
+    frequency, power = signal.welch(values, 1 / interval, nperseg=len(values) // 4)
+    return frequency[1:], power[1:]
