@@ -118,6 +118,7 @@ void CoupledRun::go_on()
     kept_->state.keep("spent", spent_before_);
     report_.warn("the run goes on from " + kept_->path + "; what an earlier part of it recorded after t = " +
                  text(kept_->time) + " s makes way for what comes now");
+    report_.go_on_from(kept_->time);
     kept_.reset();
 }
 

@@ -29,7 +29,7 @@ std::string duration(double seconds)
 }  // namespace
 
 Report::Report(bool prints, double start_time, double end_time)
-    : prints_(prints), start_time_(start_time), end_time_(end_time), wall_start_(now())
+    : prints_(prints), start_time_(start_time), part_start_(start_time), end_time_(end_time), wall_start_(now())
 {}
 
 void Report::end_at(double end_time)
@@ -58,13 +58,13 @@ void Report::progress(double time, const Observation& seen)
 {
     last_line_ = now();
     if (!prints_) return;
-    const double done = time - start_time_, wall = wall_seconds();
+    const double done = time - start_time_, done_here = time - part_start_, wall = wall_seconds();
     const bool known = end_time_ < unknown_end;
     const double left = std::max(0.0, end_time_ - time);
-    const std::string eta = known ? duration(done > 0 ? wall * left / done : 0) : "?";
+    const std::string eta = known ? duration(done_here > 0 ? wall * left / done_here : 0) : "?";
     std::printf("t = %-9.4g s  %3.0f %%  %9.3g s/s  ETA %-8s voidage %.3f..%.3f  Co %.2f  particles %ld\n", time,
-                done > 0 && known ? 100 * done / (done + left) : 0.0, done > 0 ? done / wall : 0.0, eta.c_str(),
-                seen.lowest_voidage, seen.highest_voidage, seen.courant_number, seen.particles);
+                done > 0 && known ? 100 * done / (done + left) : 0.0, done_here > 0 ? done_here / wall : 0.0,
+                eta.c_str(), seen.lowest_voidage, seen.highest_voidage, seen.courant_number, seen.particles);
     std::fflush(stdout);
 }
 

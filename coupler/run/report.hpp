@@ -15,6 +15,9 @@ class Report {
 public:
     Report(bool prints, double start_time, double end_time);
 
+    /// A run goes on from there [s]: what it takes per time is told of what comes now.
+    void go_on_from(double time) { part_start_ = time; }
+
     /// The end has moved [s]; one beyond 1e30 s is not known.
     void end_at(double end_time);
 
@@ -42,7 +45,7 @@ public:
 
 private:
     bool prints_;
-    double start_time_, end_time_;
+    double start_time_, part_start_, end_time_;
     double wall_start_;
     double last_line_ = -1e300;
 };
