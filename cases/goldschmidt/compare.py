@@ -23,7 +23,7 @@ import time
 import h5py
 import numpy
 
-from interphase import launch
+from interphase import launch, tables
 from interphase.whole_records import whole_snapshots
 
 CASE = os.path.dirname(os.path.realpath(__file__))
@@ -184,14 +184,14 @@ def cost(folder):
 
 def table(curves, folders, since, until):
     """Means from `since` to `until` with the deviation in brackets, and root mean square differences from DPMFoam's curve."""
-    print("\n| | height [mm] | drop [Pa] | lowest height [mm] | highest drop [Pa] | off DPMFoam [mm, Pa] | wall [s per s] | CPU [s per s] |")
-    print("|---|---|---|---|---|---|---|---|")
+    print("\n" + tables.markdown_head(("", "height [mm]", "drop [Pa]", "lowest height [mm]", "highest drop [Pa]", "off DPMFoam [mm, Pa]",
+                                       "wall [s per s]", "CPU [s per s]")))  # fmt: skip
     reference = curves.get("DPMFoam", {})
     for name, curve in curves.items():
         folder = folders[name]
         keys = [k for k in sorted(curve) if since <= k * INTERVAL + 1e-9 and k * INTERVAL <= until + 1e-9]
         if not keys:
-            print(f"| {name} | nothing from {since:g} to {until:g} s | | | | | | |")
+            print(tables.markdown_row((name, f"nothing from {since:g} to {until:g} s", *6 * [""])))
             continue
         values = numpy.array([curve[k] for k in keys])
         whole = numpy.array([curve[k] for k in sorted(curve) if k * INTERVAL <= until + 1e-9])
@@ -201,9 +201,10 @@ def table(curves, folders, since, until):
         off = numpy.sqrt(numpy.mean([(numpy.array(curve[k]) - reference[k]) ** 2 for k in common], axis=0)) if common else (0, 0)
         end = max(curve) * INTERVAL
         spent = {what: seconds / end for what, seconds in cost(folder).items()}
-        print(f"| {name} | {1e3 * values[:, 0].mean():.0f} | {values[:, 1].mean():.0f} ({values[:, 1].std():.0f}) "
-              f"| {1e3 * whole[:, 0].min():.1f} | {whole[:, 1].max():.0f} | {1e3 * off[0]:.1f}, {off[1]:.0f} "
-              f"| {spent['wall']:.0f} | {spent['cpu']:.0f} |")
+        print(tables.markdown_row((
+            name, f"{1e3 * values[:, 0].mean():.0f}", f"{values[:, 1].mean():.0f} ({values[:, 1].std():.0f})",
+            f"{1e3 * whole[:, 0].min():.1f}", f"{whole[:, 1].max():.0f}", f"{1e3 * off[0]:.1f}, {off[1]:.0f}", f"{spent['wall']:.0f}",
+            f"{spent['cpu']:.0f}")))
 
 
 def draw(curves, views, path, moment):

@@ -35,7 +35,7 @@ import tempfile
 
 import h5py
 
-from interphase import launch, parameters
+from interphase import launch, parameters, tables
 from interphase.tree import CASES, REPOSITORY, TOOLS
 
 
@@ -104,10 +104,11 @@ def phases(given):
     wall, simulated = float(meta["wall_time"]), float(meta["simulated_time"])
     method = meta['method'].decode() if isinstance(meta['method'], bytes) else meta['method']
     print(f"{method}, weight {float(meta['weight']):g}, {simulated:g} s simulated, {int(meta['ranks'])} rank(s)")
-    print(f"{'phase':10s} {'s per simulated s':>18s} {'share':>7s}")
+    rows = [("phase", "s per simulated s", "share")]
     for phase in ("solids", "gas", "mapping", "exchange", "output", "waiting", "setup"):
         seconds = float(timing[phase])
-        print(f"{phase:10s} {seconds / simulated:18.2f} {100 * seconds / wall:6.1f} %")
+        rows.append((phase, f"{seconds / simulated:.2f}", f"{100 * seconds / wall:.1f} %"))
+    print("\n".join(tables.columns(rows, right=(1, 2))))
     coupling = sum(float(timing[phase]) for phase in ("mapping", "exchange", "output"))
     engines = float(timing["solids"]) + float(timing["gas"])
     running = wall - float(timing["setup"])
@@ -181,13 +182,12 @@ def methods(given):
                     solids_per_second(folders[name], os.path.join(scratch, "run"), method, weight, span, step, beds[weight]))
             told = ", ".join(f"{name} {seconds[name][-1]:.2f}" for name in wanted)
             print(f"round {turn + 1}: seconds of solids per simulated second: {told}", flush=True)
-    print(f"{'method':14s} {'s per s':>9s} {'DEM / it, median (least to most)':>36s}")
+    rows = [("method", "s per s", "DEM / it, median (least to most)")]
     for name in wanted:
-        line = f"{name:14s} {statistics.median(seconds[name]):9.2f}"
-        if "DEM" in wanted:
-            ratios = [dem / own for dem, own in zip(seconds["DEM"], seconds[name])]
-            line += f" {statistics.median(ratios):14.1f} ({min(ratios):.1f} to {max(ratios):.1f})"
-        print(line)
+        ratios = [dem / own for dem, own in zip(seconds["DEM"], seconds[name])] if "DEM" in wanted else []
+        faster = f"{statistics.median(ratios):.1f} ({min(ratios):.1f} to {max(ratios):.1f})" if ratios else ""
+        rows.append((name, f"{statistics.median(seconds[name]):.2f}", faster))
+    print("\n".join(tables.columns(rows, right=(1, 2))))
 
 
 PARTS = ("search", "walls", "contacts", "integration", "communication")
@@ -271,10 +271,11 @@ def settled_bed(count, settle, steps, ranks=1):
 def cost(given):
     spent, whole, contacts = settled_bed(given.count, given.settle, given.steps)
     print(f"{given.count} spheres at rest, {contacts:.2f} contacts within the margin per sphere")
-    print(f"{'part':14s} {'ns per sphere and step':>24s} {'share':>7s}")
+    rows = [("part", "ns per sphere and step", "share")]
     rest = whole - sum(spent.values())
     for part, seconds in [*spent.items(), ("LIGGGHTS", rest), ("whole", whole)]:
-        print(f"{part:14s} {1e9 * seconds / given.count:24.1f} {100 * seconds / whole:6.1f} %")
+        rows.append((part, f"{1e9 * seconds / given.count:.1f}", f"{100 * seconds / whole:.1f} %"))
+    print("\n".join(tables.columns(rows, right=(1, 2))))
 
 
 def scaling(given):

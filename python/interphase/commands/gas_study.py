@@ -32,7 +32,7 @@ import subprocess
 import sys
 from dataclasses import dataclass, replace
 
-from interphase import parameters
+from interphase import parameters, tables
 from interphase.tree import REPOSITORY, TOOLS
 
 # Divides every gas step below; of the shortest collision of sscp1: 1/40 for parcels of 8, 1/14 for single particles [s].
@@ -268,18 +268,17 @@ def main():
     noise = differences(chaos, folder_of[REFERENCE], outlet)
     print(f"chaos (reference with particles moved by 1e-9 m): "
           f"U {short(noise[0])}, phi {short(noise[1])}, p {short(noise[2])}\n")
-    print("| | gas step | time scheme | predictor | outer, inner | pressure solver | relTol, tolerance | gas s/s | spread "
-          "| error U | error phi | error p | algebra |")
-    print("|" + "---|" * 13)
+    print(tables.markdown_head(("", "gas step", "time scheme", "predictor", "outer, inner", "pressure solver", "relTol, tolerance", "gas s/s",
+                                "spread", "error U", "error phi", "error p", "algebra")))  # fmt: skip
     for group, members in groups.items():
         for v in members:
             cost = statistics.median(seconds[v])
             spread = (max(seconds[v]) - min(seconds[v])) / 2 / cost
             against = differences(folder_of[v], folder_of[REFERENCE], outlet)
             algebra = differences(folder_of[v], folder_of[v.converged()], outlet)
-            print(f"| {group} | {v.step * 1e3:g} ms | {v.scheme} | {'yes' if v.predictor else 'no'} | {v.outer}, {v.inner} "
-                  f"| {v.solver} | {v.relative:g}, {v.tolerance:g} | {cost:.1f} | {100 * spread:.0f} % | "
-                  f"{' | '.join(map(short, against))} | {short(max(algebra))} |")  # fmt: skip
+            print(tables.markdown_row((
+                group, f"{v.step * 1e3:g} ms", v.scheme, "yes" if v.predictor else "no", f"{v.outer}, {v.inner}", v.solver,
+                f"{v.relative:g}, {v.tolerance:g}", f"{cost:.1f}", f"{100 * spread:.0f} %", *map(short, against), short(max(algebra)))))
             group = ""
 
 
