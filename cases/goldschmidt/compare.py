@@ -20,11 +20,11 @@ import subprocess
 import sys
 import time
 
-import h5py
 import numpy
 
-from interphase import launch, tables
-from interphase.whole_records import whole_snapshots
+from interphase import foam_field, launch, parameters, tables
+from interphase.input_error import InputError
+from interphase.run import Run
 
 CASE = os.path.dirname(os.path.realpath(__file__))
 REPOSITORY = os.path.dirname(os.path.dirname(CASE))
@@ -121,12 +121,10 @@ def numbers(path, pattern):
 
 def pressure_drop(path, layers, height):
     """Between TAPS, of the file `p`, in its unit. blockMesh numbers cells layer by layer from the bottom."""
-    with open(path, encoding="utf-8") as stream:
-        text = stream.read()
-    values = re.search(r"internalField\s+nonuniform List<scalar>\s+(\d+)\s*\((.*?)\)", text, re.S)
-    if values is None:
-        return 0.0  # uniform, at the start
-    of_layer = numpy.array(values[2].split(), dtype=float).reshape(layers, -1).mean(axis=1)
+    field = foam_field.internal_field(path)
+    if field.uniform:
+        return 0.0  # at the start
+    of_layer = field.values.reshape(layers, -1).mean(axis=1)
     z = (numpy.arange(layers) + 0.5) * height / layers
     low, high = numpy.interp(TAPS, z, of_layer)
     return low - high
@@ -134,15 +132,12 @@ def pressure_drop(path, layers, height):
 
 def mesh(folder):
     """(cells along the height, the height [m]) of the run."""
-    with open(os.path.join(folder, "constant", "polyMesh", "points"), encoding="utf-8") as stream:
-        z = numpy.array(re.findall(r"^\(\S+ \S+ (\S+)\)$", stream.read(), re.M), dtype=float).round(9)
-    levels = numpy.unique(z)
+    levels = numpy.unique(foam_field.points(folder)[:, 2].round(9))
     return len(levels) - 1, levels[-1] - levels[0]
 
 
 def density(folder):
-    with open(os.path.join(folder, GAS), encoding="utf-8") as stream:
-        return float(re.search(r"rho\.air\s+([^;]+);", stream.read())[1])
+    return float(parameters.read(os.path.join(folder, GAS))["rho.air"])
 
 
 def times(folder):
@@ -161,19 +156,18 @@ def read(name, folder):
             try:
                 found = numbers(os.path.join(folder, t, "lagrangian", "kinematicCloud", "positions"), r"^\(\S+ (\S+) (\S+)\)")
                 drop = unit * pressure_drop(os.path.join(folder, t, "p"), layers, height)
-            except (FileNotFoundError, ValueError):
+            except (FileNotFoundError, ValueError, InputError):
                 continue  # being written by a run that goes on
             key = round(float(t) / INTERVAL)
             centres[key] = found + (0.075, 0)
             curve[key] = (2 * found[:, 1].mean(), drop)
         return curve, centres
     drops = {round(float(t) / INTERVAL): pressure_drop(os.path.join(folder, t, "p"), layers, height) for t in times(folder)}
-    with h5py.File(os.path.join(folder, "particles.h5"), "r") as file:
-        for at, _, group in whole_snapshots(file):
-            key = round(at / INTERVAL)
-            if key in drops:
-                centres[key] = group["position"][:][:, (0, 2)]
-                curve[key] = (2 * centres[key][:, 1].mean(), drops[key])
+    for snapshot in Run(folder).snapshots:
+        key = round(snapshot.time / INTERVAL)
+        if key in drops:
+            centres[key] = snapshot.positions[:, (0, 2)]
+            curve[key] = (2 * centres[key][:, 1].mean(), drops[key])
     return curve, centres
 
 

@@ -53,6 +53,12 @@ class Run:
         return stored.attributes(self._file("results.h5"), "meta")
 
     @property
+    def timing(self):
+        """{phase: wall time [s], the slowest rank's} of solids, gas, mapping, exchange, output, waiting, setup; {} before the end."""
+        from interphase import stored
+        return stored.attributes(self._file("results.h5"), "timing")
+
+    @property
     def series(self):
         """{name: Series} of /series of results.h5 as far as they are written: pressure_drop, bed_height, kinetic_energy, ..."""
         from interphase import series

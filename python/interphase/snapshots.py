@@ -32,6 +32,13 @@ class Snapshot:
             found.values = found.values[numpy.argsort(group["id"][()], kind="stable")]
         return found
 
+    def arrays(self):
+        """{name: values [n] or [n, 3]} of all data sets, in the units of `read`."""
+        with open_h5(self._path) as file:
+            group = file["snapshots"][self._group]
+            order = numpy.argsort(group["id"][()], kind="stable")
+            return {name: data[()][order] for name, data in group.items()}
+
     @property
     def names(self):
         """What was recorded of the particles."""

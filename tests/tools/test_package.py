@@ -98,7 +98,7 @@ class MissingModules(Bench):
         return self.execute(os.path.join(REPOSITORY, "tools", name), *words, INTERPHASE_PYTHON=self.python)
 
     def test_are_named_with_how_to_get_them(self):
-        for name, module in (("compare", "numpy"), ("report", "h5py"), ("picture", "h5py"), ("bench", "h5py")):
+        for name, module in (("compare", "numpy"), ("report", "h5py"), ("picture", "h5py")):
             with self.subTest(name):
                 done = self.tool(name, "a")
                 self.assertEqual(done.returncode, 2, done.stderr)

@@ -33,9 +33,8 @@ import subprocess
 import sys
 import tempfile
 
-import h5py
-
 from interphase import launch, parameters, tables
+from interphase.run import Run
 from interphase.tree import CASES, REPOSITORY, TOOLS
 
 
@@ -55,10 +54,8 @@ def coupled_run(folder, method, until, settings, case=CASE):
     done = subprocess.run(arguments, capture_output=True, text=True)
     if done.returncode != 0:
         sys.exit(f"bench: {' '.join(arguments)} failed:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
-    with h5py.File(os.path.join(folder, "results.h5"), "r") as results:
-        timing = dict(results["timing"].attrs)
-        meta = dict(results["meta"].attrs)
-    return timing, meta
+    done = Run(folder)
+    return done.timing, done.meta
 
 
 def native_loop_seconds(folder, meta):
@@ -96,14 +93,12 @@ def overhead(given):
 def phases(given):
     scratch = None
     if given.run:
-        with h5py.File(os.path.join(given.run, "results.h5"), "r") as results:
-            timing, meta = dict(results["timing"].attrs), dict(results["meta"].attrs)
+        timing, meta = Run(given.run).timing, Run(given.run).meta
     else:
         scratch = tempfile.mkdtemp(prefix="interphase-bench-")
         timing, meta = coupled_run(os.path.join(scratch, "run"), given.method, given.until, [])
     wall, simulated = float(meta["wall_time"]), float(meta["simulated_time"])
-    method = meta['method'].decode() if isinstance(meta['method'], bytes) else meta['method']
-    print(f"{method}, weight {float(meta['weight']):g}, {simulated:g} s simulated, {int(meta['ranks'])} rank(s)")
+    print(f"{meta['method']}, weight {float(meta['weight']):g}, {simulated:g} s simulated, {int(meta['ranks'])} rank(s)")
     rows = [("phase", "s per simulated s", "share")]
     for phase in ("solids", "gas", "mapping", "exchange", "output", "waiting", "setup"):
         seconds = float(timing[phase])
@@ -153,16 +148,14 @@ def solids_per_second(folder, out, method, weight, until, settings, start=None):
     done = subprocess.run(arguments, capture_output=True, text=True)
     if done.returncode != 0:
         sys.exit(f"bench: {' '.join(arguments)} failed:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
-    with h5py.File(os.path.join(out, "results.h5"), "r") as results:
-        return float(results["timing"].attrs["solids"]) / float(results["meta"].attrs["simulated_time"])
+    return Run(out).timing["solids"] / Run(out).meta["simulated_time"]
 
 
 def methods(given):
     wanted = given.only or list(METHODS)
     beds = {}
     for run in given.bed:
-        with h5py.File(os.path.join(run, "results.h5"), "r") as results:
-            beds[int(results["meta"].attrs["weight"])] = run
+        beds[int(Run(run).meta["weight"])] = run
     with tempfile.TemporaryDirectory(prefix="interphase-bench-") as scratch:
         folders = {}
         for name in wanted:

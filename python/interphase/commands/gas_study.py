@@ -33,6 +33,7 @@ import sys
 from dataclasses import dataclass, replace
 
 from interphase import parameters, tables
+from interphase.run import Run
 from interphase.tree import REPOSITORY, TOOLS
 
 # Divides every gas step below; of the shortest collision of sscp1: 1/40 for parcels of 8, 1/14 for single particles [s].
@@ -164,14 +165,11 @@ def make_case(folder, variant, start, horizon, moved, environment):
 
 def run_once(folder, environment, binary):
     """Runs the case in `folder`; the seconds of its gas phase."""
-    import h5py
-
     with open(os.path.join(folder, "log.interphase"), "w") as log:
         code = subprocess.run([binary, "-case", folder], stdout=log, stderr=subprocess.STDOUT, env=environment).returncode
     if code != 0:
         sys.exit(f"gas-study: {binary} -case {folder} ended with exit code {code}; see log.interphase there")
-    with h5py.File(os.path.join(folder, "results.h5"), "r") as file:
-        return float(file["timing"].attrs["gas"])
+    return Run(folder).timing["gas"]
 
 
 def field(folder, name):
