@@ -75,6 +75,16 @@ class Snapshot:
         """[n] of the tracked spheres, m; a parcel's is that of its sphere, not of the real particles in it."""
         return self.read("diameter").values
 
+    @property
+    def types(self):
+        """[n], LIGGGHTS's type of each."""
+        return self.read("type").values
+
+    @property
+    def densities(self):
+        """[n], kg/m3."""
+        return self.read("density").values
+
     def __repr__(self):
         return f"<Snapshot at {self.time:.9g} s>"
 
