@@ -16,7 +16,7 @@ import time
 
 import numpy
 
-from interphase import launch
+from interphase import data_file, launch, tables
 
 CASE = os.path.dirname(os.path.realpath(__file__))
 ROOT = os.path.dirname(os.path.dirname(CASE))
@@ -91,17 +91,9 @@ def write_bed(path, count, seed, rough):
         centres = numpy.concatenate([centres, glued(random)])
         velocities = numpy.concatenate([velocities, numpy.zeros((len(centres) - count, 3))])
     top = 1.5 * centres[:, 2].max()
-    with open(path, "w", encoding="ascii") as out:
-        out.write(f"spheres\n\n{len(centres)} atoms\n2 atom types\n\n")
-        for axis, low, high in (("x", 0, WIDTH), ("y", 0, DEPTH), ("z", 0, top)):
-            beyond = 20 * DIAMETER if axis == "z" else 2 * DIAMETER
-            out.write(f"{low - beyond!r} {high + beyond!r} {axis}lo {axis}hi\n")
-        out.write("\nAtoms\n\n")
-        for i, (x, y, z) in enumerate(centres.tolist(), 1):
-            out.write(f"{i} 1 {DIAMETER!r} {MATERIAL['particleDensity']!r} {x!r} {y!r} {z!r}\n")
-        out.write("\nVelocities\n\n")
-        for i, (x, y, z) in enumerate(velocities.tolist(), 1):
-            out.write(f"{i} {x!r} {y!r} {z!r} 0.0 0.0 0.0\n")
+    beyond = DIAMETER * numpy.array([2, 2, 20])
+    data_file.write(path, f"{len(centres)} spheres", -beyond, numpy.array([WIDTH, DEPTH, top]) + beyond, centres, DIAMETER,
+                    MATERIAL["particleDensity"], velocity=velocities)  # fmt: skip
 
 
 def prepare(folder, options, seed):
@@ -222,7 +214,7 @@ def table(out):
                 wall_time = float(file.read())
             result = {**measure(os.path.join(out, name)), "wall_time": wall_time}
             groups.setdefault(name.rsplit("-seed", 1)[0], []).append(result)
-    print(f"{'':28s} seeds   rate [g/s]            angle [deg]            mean height [d]        left behind         at rest [J]  wall time [s]")
+    rows = [("", "seeds", "rate [g/s]", "angle [deg]", "mean height [d]", "left behind", "at rest [J]", "wall time [s]")]
     firsts = {}  # one for the smooth floor, one for the rough one
     for name, runs in groups.items():
         first = firsts.get(name.endswith("-rough"))
@@ -233,11 +225,12 @@ def table(out):
             error = values.std(ddof=1) / math.sqrt(len(values)) if len(values) > 1 else math.nan
             means[key] = values.mean()
             against = "" if first is None else f" {100 * (means[key] / first[key] - 1):+5.1f}%"
-            cells.append(f"{means[key]:8.2f} +-{error:5.2f}{against:8s}")
+            cells.append(f"{means[key]:.2f} +- {error:.2f}{against}")
         firsts.setdefault(name.endswith("-rough"), means)
         rest = max(run["kinetic_energy_after"] for run in runs)
         wall = numpy.mean([run["wall_time"] for run in runs])
-        print(f"{name:28s} {len(runs):4d} {' '.join(cells)} {rest:10.1e} {wall:8.0f}")
+        rows.append((name, str(len(runs)), *cells, f"{rest:.1e}", f"{wall:.0f}"))
+    print("\n".join(tables.columns(rows)))
 
 
 def arguments():

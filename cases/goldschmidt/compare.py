@@ -20,11 +20,11 @@ import subprocess
 import sys
 import time
 
-import h5py
 import numpy
 
-from interphase import launch
-from interphase.whole_records import whole_snapshots
+from interphase import foam_field, launch, parameters, tables
+from interphase.input_error import InputError
+from interphase.run import Run
 
 CASE = os.path.dirname(os.path.realpath(__file__))
 REPOSITORY = os.path.dirname(os.path.dirname(CASE))
@@ -121,12 +121,10 @@ def numbers(path, pattern):
 
 def pressure_drop(path, layers, height):
     """Between TAPS, of the file `p`, in its unit. blockMesh numbers cells layer by layer from the bottom."""
-    with open(path, encoding="utf-8") as stream:
-        text = stream.read()
-    values = re.search(r"internalField\s+nonuniform List<scalar>\s+(\d+)\s*\((.*?)\)", text, re.S)
-    if values is None:
-        return 0.0  # uniform, at the start
-    of_layer = numpy.array(values[2].split(), dtype=float).reshape(layers, -1).mean(axis=1)
+    field = foam_field.internal_field(path)
+    if field.uniform:
+        return 0.0  # at the start
+    of_layer = field.values.reshape(layers, -1).mean(axis=1)
     z = (numpy.arange(layers) + 0.5) * height / layers
     low, high = numpy.interp(TAPS, z, of_layer)
     return low - high
@@ -134,15 +132,12 @@ def pressure_drop(path, layers, height):
 
 def mesh(folder):
     """(cells along the height, the height [m]) of the run."""
-    with open(os.path.join(folder, "constant", "polyMesh", "points"), encoding="utf-8") as stream:
-        z = numpy.array(re.findall(r"^\(\S+ \S+ (\S+)\)$", stream.read(), re.M), dtype=float).round(9)
-    levels = numpy.unique(z)
+    levels = numpy.unique(foam_field.points(folder)[:, 2].round(9))
     return len(levels) - 1, levels[-1] - levels[0]
 
 
 def density(folder):
-    with open(os.path.join(folder, GAS), encoding="utf-8") as stream:
-        return float(re.search(r"rho\.air\s+([^;]+);", stream.read())[1])
+    return float(parameters.read(os.path.join(folder, GAS))["rho.air"])
 
 
 def times(folder):
@@ -161,19 +156,18 @@ def read(name, folder):
             try:
                 found = numbers(os.path.join(folder, t, "lagrangian", "kinematicCloud", "positions"), r"^\(\S+ (\S+) (\S+)\)")
                 drop = unit * pressure_drop(os.path.join(folder, t, "p"), layers, height)
-            except (FileNotFoundError, ValueError):
+            except (FileNotFoundError, ValueError, InputError):
                 continue  # being written by a run that goes on
             key = round(float(t) / INTERVAL)
             centres[key] = found + (0.075, 0)
             curve[key] = (2 * found[:, 1].mean(), drop)
         return curve, centres
     drops = {round(float(t) / INTERVAL): pressure_drop(os.path.join(folder, t, "p"), layers, height) for t in times(folder)}
-    with h5py.File(os.path.join(folder, "particles.h5"), "r") as file:
-        for at, _, group in whole_snapshots(file):
-            key = round(at / INTERVAL)
-            if key in drops:
-                centres[key] = group["position"][:][:, (0, 2)]
-                curve[key] = (2 * centres[key][:, 1].mean(), drops[key])
+    for snapshot in Run(folder).snapshots:
+        key = round(snapshot.time / INTERVAL)
+        if key in drops:
+            centres[key] = snapshot.positions[:, (0, 2)]
+            curve[key] = (2 * centres[key][:, 1].mean(), drops[key])
     return curve, centres
 
 
@@ -184,14 +178,14 @@ def cost(folder):
 
 def table(curves, folders, since, until):
     """Means from `since` to `until` with the deviation in brackets, and root mean square differences from DPMFoam's curve."""
-    print("\n| | height [mm] | drop [Pa] | lowest height [mm] | highest drop [Pa] | off DPMFoam [mm, Pa] | wall [s per s] | CPU [s per s] |")
-    print("|---|---|---|---|---|---|---|---|")
+    print("\n" + tables.markdown_head(("", "height [mm]", "drop [Pa]", "lowest height [mm]", "highest drop [Pa]", "off DPMFoam [mm, Pa]",
+                                       "wall [s per s]", "CPU [s per s]")))  # fmt: skip
     reference = curves.get("DPMFoam", {})
     for name, curve in curves.items():
         folder = folders[name]
         keys = [k for k in sorted(curve) if since <= k * INTERVAL + 1e-9 and k * INTERVAL <= until + 1e-9]
         if not keys:
-            print(f"| {name} | nothing from {since:g} to {until:g} s | | | | | | |")
+            print(tables.markdown_row((name, f"nothing from {since:g} to {until:g} s", *6 * [""])))
             continue
         values = numpy.array([curve[k] for k in keys])
         whole = numpy.array([curve[k] for k in sorted(curve) if k * INTERVAL <= until + 1e-9])
@@ -201,9 +195,10 @@ def table(curves, folders, since, until):
         off = numpy.sqrt(numpy.mean([(numpy.array(curve[k]) - reference[k]) ** 2 for k in common], axis=0)) if common else (0, 0)
         end = max(curve) * INTERVAL
         spent = {what: seconds / end for what, seconds in cost(folder).items()}
-        print(f"| {name} | {1e3 * values[:, 0].mean():.0f} | {values[:, 1].mean():.0f} ({values[:, 1].std():.0f}) "
-              f"| {1e3 * whole[:, 0].min():.1f} | {whole[:, 1].max():.0f} | {1e3 * off[0]:.1f}, {off[1]:.0f} "
-              f"| {spent['wall']:.0f} | {spent['cpu']:.0f} |")
+        print(tables.markdown_row((
+            name, f"{1e3 * values[:, 0].mean():.0f}", f"{values[:, 1].mean():.0f} ({values[:, 1].std():.0f})",
+            f"{1e3 * whole[:, 0].min():.1f}", f"{whole[:, 1].max():.0f}", f"{1e3 * off[0]:.1f}, {off[1]:.0f}", f"{spent['wall']:.0f}",
+            f"{spent['cpu']:.0f}")))
 
 
 def draw(curves, views, path, moment):

@@ -13,6 +13,7 @@ import subprocess
 import sys
 
 from interphase import parameters
+from interphase.run import Run
 
 CASE = os.path.dirname(os.path.realpath(__file__))
 REPOSITORY = os.path.dirname(os.path.dirname(CASE))
@@ -119,11 +120,8 @@ def velocity_by_runs(points, weight):
 
 def mean_pressure_drop(folder):
     """Over the second half of the run [Pa], and the spread (standard deviation) in it."""
-    import h5py  # tools/run installs it where it is missing
-
-    with h5py.File(os.path.join(folder, "results.h5"), "r") as file:
-        time = file["/series/time"][:]
-        drop = file["/series/pressure_drop"][:][time >= 0.5 * time[-1]]
+    series = Run(folder).series["pressure_drop"]
+    drop = series.between(after=0.5 * series.time[-1]).values
     return float(drop.mean()), float(drop.std())
 
 

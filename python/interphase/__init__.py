@@ -12,8 +12,6 @@ Case (case.py), Run (run.py), InputError (input_error.py): what a user gave cann
 way to a run failed. Nothing beyond Python's standard library is loaded before it is needed.
 """
 
-import importlib
-
 _WHERE = {"Case": "case", "Run": "run", "InputError": "input_error", "StepFailed": "launch"}
 __all__ = sorted(_WHERE)
 
@@ -21,4 +19,5 @@ __all__ = sorted(_WHERE)
 def __getattr__(name):
     if name not in _WHERE:
         raise AttributeError(f"module 'interphase' has no attribute '{name}'; it has {', '.join(__all__)}")
-    return getattr(importlib.import_module(f"interphase.{_WHERE[name]}"), name)
+    from interphase.missing import module
+    return getattr(module(_WHERE[name]), name)

@@ -3,6 +3,7 @@
 
 import csv
 
+from interphase import tables
 from interphase.envelope_verdict import BEYOND, ERROR, FAILED, RIGHT, TOLD, VERDICTS
 
 FIELDS = ("scene", "method", "phi", "ratio", "gas_step", "steps", "ranks", "verdict", "seen", "error", "rms", "alternation", "books",
@@ -31,14 +32,13 @@ def markdown(rows):
     for scene in _ordered(row["scene"] for row in rows):
         of_scene = [row for row in rows if row["scene"] == scene]
         ratios = sorted({row["ratio"] for row in of_scene})
-        text += [f"**{TITLES[scene]}**", "", "| method | phi | " + " | ".join(f"x = {x:g}" for x in ratios) + " |",
-                 "|---|---|" + "---|" * len(ratios)]  # fmt: skip
+        text += [f"**{TITLES[scene]}**", "", tables.markdown_head(["method", "phi", *(f"x = {x:g}" for x in ratios)])]
         for method in _ordered(row["method"] for row in of_scene):
             for phi in sorted({row["phi"] for row in of_scene if row["method"] == method}):
                 cells = {row["ratio"]: row for row in of_scene if row["method"] == method and row["phi"] == phi}
                 shown = [
                     "" if x not in cells else LETTERS.get(cells[x]["verdict"]) or f"{100 * cells[x]['error']:+.1f} %" for x in ratios]
-                text.append(f"| {method} | {phi:g} | " + " | ".join(shown) + " |")
+                text.append(tables.markdown_row([method, f"{phi:g}", *shown]))
         text.append("")
     counts = {name: sum(row["verdict"] == name for row in rows) for name in VERDICTS}
     text.append(", ".join(f"{name}: {count}" for name, count in counts.items()))

@@ -8,6 +8,8 @@ import signal
 import subprocess
 import sys
 
+from interphase import missing
+
 
 class StepFailed(Exception):
     """A program did not do its part; `code` is the exit code to leave with."""
@@ -81,7 +83,9 @@ def step(arguments, log, environment, folder):
         except OSError as error:
             raise StepFailed(f"{name} cannot be started: {error}") from None
     if done.returncode != 0:
-        raise StepFailed(f"{name} failed {how_it_ended(done.returncode)}. The end of {log}:\n{last_lines(log)}")
+        said = last_lines(log)
+        hint = missing.hint(said.replace("  | ", ""))
+        raise StepFailed(f"{name} failed {how_it_ended(done.returncode)}. The end of {log}:\n{said}{hint}")
 
 
 def how_it_ended(returncode):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What to say where a module of Python that is not of its standard library is missing."""
 
+import importlib
+import re
 import sys
 
 # Debian's packages, which tools/setup installs
@@ -10,8 +12,24 @@ PACKAGES = {"numpy": "python3-numpy", "scipy": "python3-scipy", "h5py": "python3
 def words_on(error):
     """The text for the user of a ModuleNotFoundError: which module, which Python, and how to get it. Raises `error` where it
     is none of PACKAGES: then a file of our own is missing."""
-    module = (error.name or "").partition(".")[0]
-    if module not in PACKAGES:
+    name = (error.name or "").partition(".")[0]
+    if name not in PACKAGES:
         raise error
-    return (f"{sys.executable} has no module {module}. On Debian: apt-get install {PACKAGES[module]} (tools/setup does) and start with "
-            f"/usr/bin/python3; for another Python: {sys.executable} -m pip install {module}")
+    return (f"{sys.executable} has no module {name}. On Debian: apt-get install {PACKAGES[name]} (tools/setup does) and start with "
+            f"/usr/bin/python3; for another Python: {sys.executable} -m pip install {name}")
+
+
+def module(name):
+    """The module interphase.`name`; ModuleNotFoundError of `words_on` where it needs one that is missing."""
+    try:
+        return importlib.import_module(f"interphase.{name}")
+    except ModuleNotFoundError as error:
+        raise ModuleNotFoundError(words_on(error), name=error.name) from None
+
+
+def hint(output):
+    """What to add to the message on a program in Python that ended with `output`: how to get the module that it did not find, or nothing."""
+    found = re.search(r"^ModuleNotFoundError: No module named '(\w+)", output, re.M)
+    if not found or found[1] not in PACKAGES:
+        return ""
+    return f"\nOn Debian: apt-get install {PACKAGES[found[1]]} (tools/setup does); for another Python: python3 -m pip install {found[1]}"

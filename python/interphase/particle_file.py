@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy
 
+from interphase import data_file
 from interphase.input_error import InputError
 
 
@@ -56,15 +57,6 @@ def _above(path, head, pattern):
 
 def write(path, remark, spheres, position, velocity, spin):
     """The `ParticleFile` `spheres` at `position` [n, 3] in m with `velocity` [n, 3] in m/s and `spin` [n, 3] in rad/s, every digit
-    kept. `remark`: for the first line, which LIGGGHTS passes over; it takes what is beyond 255 bytes of it for the second."""
-    first = f"LIGGGHTS data file, atom_style granular, SI units: {remark}".encode("ascii", "replace").decode().replace("\n", " ")[:200]
-    with open(path, "w", encoding="utf-8") as out:
-        out.write(f"{first}\n\n{len(spheres.ids)} atoms\n{spheres.types} atom types\n\n")
-        for axis, low, high in zip("xyz", spheres.low.tolist(), spheres.high.tolist()):
-            out.write(f"{low!r} {high!r} {axis}lo {axis}hi\n")
-        out.write("\nAtoms\n\n")
-        for i, kind, d, rho, x in zip(*(a.tolist() for a in (spheres.ids, spheres.kind, spheres.diameter, spheres.density, position))):
-            out.write(f"{i} {kind} {d!r} {rho!r} {x[0]!r} {x[1]!r} {x[2]!r}\n")
-        out.write("\nVelocities\n\n")
-        for i, v, w in zip(spheres.ids.tolist(), velocity.tolist(), spin.tolist()):
-            out.write(f"{i} {v[0]!r} {v[1]!r} {v[2]!r} {w[0]!r} {w[1]!r} {w[2]!r}\n")
+    kept. `remark`: for the first line, which LIGGGHTS passes over."""
+    data_file.write(path, remark, spheres.low, spheres.high, position, spheres.diameter, spheres.density, spheres.kind, velocity, spin,
+                    spheres.types, spheres.ids)  # fmt: skip

@@ -7,7 +7,7 @@ Every function ends the program with a message that says what is wrong where a n
 import math
 import sys
 
-from interphase import parameters
+from interphase import data_file, parameters
 from interphase.commands import bed
 from interphase.input_error import InputError
 
@@ -73,16 +73,5 @@ def write_bed(*arguments):
 def write_spheres(centres, diameter, density, box, types=2, velocities=None):
     """dem/bed.data of equal spheres of type 1 at `centres` [n, 3] in the LIGGGHTS domain `box` (low and high along x, y, z), at rest
     or with `velocities` [n, 3] and no rotation, SI units."""
-    with open("dem/bed.data", "w", encoding="ascii") as out:
-        out.write(f"LIGGGHTS data file, atom_style granular, SI units: {len(centres)} spheres\n\n")
-        out.write(f"{len(centres)} atoms\n{types} atom types\n\n")
-        for axis, low, high in zip("xyz", box[0::2], box[1::2]):
-            out.write(f"{float(low)!r} {float(high)!r} {axis}lo {axis}hi\n")
-        out.write("\nAtoms\n\n")
-        for number_, (x, y, z) in enumerate(centres, 1):
-            out.write(f"{number_} 1 {float(diameter)!r} {float(density)!r} {float(x)!r} {float(y)!r} {float(z)!r}\n")
-        if velocities is None:
-            return
-        out.write("\nVelocities\n\n")
-        for number_, (u, v, w) in enumerate(velocities, 1):
-            out.write(f"{number_} {float(u)!r} {float(v)!r} {float(w)!r} 0 0 0\n")
+    data_file.write("dem/bed.data", f"{len(centres)} spheres", box[0::2], box[1::2], centres, diameter, density, velocity=velocities,
+                    types=types)  # fmt: skip

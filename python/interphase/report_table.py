@@ -4,7 +4,7 @@
 import math
 from dataclasses import dataclass
 
-from interphase import time_statistics as statistics
+from interphase import tables, time_statistics as statistics
 from interphase.run_report import COMPONENTS, Quantity
 
 AGREE, DIFFER, UNJUDGED = "agree", "differ", "not judged"
@@ -111,9 +111,7 @@ def text(names, reports, depth, confidence):
         rows.append([name, *cells, *map(_verdict, verdicts.get(at, ()))])
         if key[1] == "overlapping pairs per sphere":
             rows.append(["largest overlap [% d]", *(f"{100 * report.largest_overlap:.3g}" for report in reports)])
-    widths = [max(len(row[at]) for row in rows if at < len(row)) for at in range(len(rows[0]))]
-    lines = ["  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip() for row in rows]
-    return lines + _legend(names, letters, means, verdicts, confidence)
+    return tables.columns(rows) + _legend(names, letters, means, verdicts, confidence)
 
 
 def _picked(means, places):

@@ -9,6 +9,7 @@ from interphase import run_state
 from interphase.foam_file import nearest
 from interphase.input_error import InputError
 from interphase.launched import Launched
+from interphase.missing import module
 from interphase.tree import CASES
 
 
@@ -49,44 +50,50 @@ class Run:
     @property
     def meta(self):
         """{name: number or text} of /meta of results.h5: version, commit, solid_step [s], real_particles, ...; {} before it is there."""
-        from interphase import stored
+        stored = module("stored")
         return stored.attributes(self._file("results.h5"), "meta")
+
+    @property
+    def timing(self):
+        """{phase: wall time [s], the slowest rank's} of solids, gas, mapping, exchange, output, waiting, setup; {} before the end."""
+        stored = module("stored")
+        return stored.attributes(self._file("results.h5"), "timing")
 
     @property
     def series(self):
         """{name: Series} of /series of results.h5 as far as they are written: pressure_drop, bed_height, kinetic_energy, ..."""
-        from interphase import series
+        series = module("series")
         return series.Table(self._file("results.h5"), "series")
 
     @property
     def ledger(self):
         """{name: Series} of /ledger of results.h5: what was counted, and the residuals of the balances, in each gas step."""
-        from interphase import series
+        series = module("series")
         return series.Table(self._file("results.h5"), "ledger")
 
     @property
     def snapshots(self):
         """The particle snapshots that are whole, in order of time: a sequence of `Snapshot`, read when asked for."""
-        from interphase import snapshots
+        snapshots = module("snapshots")
         return snapshots.Snapshots(self._file("particles.h5"))
 
     def fields(self, name, time=None):
         """The gas field `name` (voidage, U, p_rgh, ...) in all cells at `time` [s] (default: the last that was written), a
         `GasField`: values [n] or [n, components], unit. InputError where it is not there, or still in pieces of the ranks."""
-        from interphase import gas_fields
+        gas_fields = module("gas_fields")
         return gas_fields.read(self.path, name, time)
 
     @property
     def field_times(self):
         """[n] times at which the gas was written, s, ascending."""
-        from interphase import gas_fields
+        gas_fields = module("gas_fields")
         return sorted(gas_fields.times(self.path).values())
 
     @property
     def statistics(self):
         """{path: Stored} of the numbers that `tools/report` has put into results.h5, such as "profiles/means/pressure_drop": values,
         unit, and what else it says of them. InputError where it has not been called for this run."""
-        from interphase import stored
+        stored = module("stored")
         found = stored.below(self._file("results.h5"), ("profiles", "histograms"))
         if not found:
             raise InputError(f"{self.path}: results.h5 holds no statistics; `tools/report {self.path}` puts them there")

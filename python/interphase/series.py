@@ -80,7 +80,7 @@ class Table(Mapping):
     def __getitem__(self, name):
         with self._open() as file:
             names = self._names(file)
-            if name not in names:
+            if name not in names and not (names and name == "time"):
                 raise no_such(f"/{self._group} of {self._path}", name, names)
             group = file[self._group]
             rows = whole_rows(group)

@@ -32,6 +32,13 @@ class Snapshot:
             found.values = found.values[numpy.argsort(group["id"][()], kind="stable")]
         return found
 
+    def arrays(self):
+        """{name: values [n] or [n, 3]} of all data sets, in the units of `read`."""
+        with open_h5(self._path) as file:
+            group = file["snapshots"][self._group]
+            order = numpy.argsort(group["id"][()], kind="stable")
+            return {name: data[()][order] for name, data in group.items()}
+
     @property
     def names(self):
         """What was recorded of the particles."""
@@ -67,6 +74,16 @@ class Snapshot:
     def diameters(self):
         """[n] of the tracked spheres, m; a parcel's is that of its sphere, not of the real particles in it."""
         return self.read("diameter").values
+
+    @property
+    def types(self):
+        """[n], LIGGGHTS's type of each."""
+        return self.read("type").values
+
+    @property
+    def densities(self):
+        """[n], kg/m3."""
+        return self.read("density").values
 
     def __repr__(self):
         return f"<Snapshot at {self.time:.9g} s>"

@@ -21,6 +21,7 @@ import typing
 import foam_mesh
 import numpy
 import support
+from interphase import data_file, tables
 import zoo_meshes as meshes
 import zoo_packings
 from zoo_packings import A, D, SPHERE, Packing, lattice, radii, rings
@@ -247,12 +248,7 @@ def prepare(scene, folder):
     low, high = mesh.points.min(axis=0), mesh.points.max(axis=0)
     support.write(os.path.join(folder, "dem/in.liggghts"), SCRIPT.format(
         boundary=" ".join("p" if axis in scene.periodic else "f" for axis in "xyz"), skin=D / 2))  # fmt: skip
-    lines = [f"spheres on a lattice\n\n{len(packing.places)} atoms\n1 atom types\n"]
-    lines += [f"{float(low[a])!r} {float(high[a])!r} {axis}lo {axis}hi" for a, axis in enumerate("xyz")]
-    lines.append("\nAtoms\n")
-    for number, (place, diameter) in enumerate(zip(packing.places.tolist(), packing.diameters.tolist()), 1):
-        lines.append("{} 1 {!r} 1131.0 {!r} {!r} {!r}".format(number, diameter, *place))
-    support.write(os.path.join(folder, "dem/bed.data"), "\n".join(lines) + "\n")
+    support.write(os.path.join(folder, "dem/bed.data"), data_file.text("a lattice", low, high, packing.places, packing.diameters, 1131, types=1))
     return mesh, packing
 
 
@@ -361,13 +357,14 @@ def flow_through_refinement():
 
 
 def table(names, mapping):
-    print("| mesh | cells | solids | lowest | highest | where there are none |\n|---|---|---|---|---|---|")
+    print(tables.markdown_head(("mesh", "cells", "solids", "lowest", "highest", "where there are none")))
     for name in names:
         made = SCENES[name]()
         out = run(name, mapping=mapping)
         leaked = f"{out.leaked:.4f}" if made.empty(out.mesh).any() else ""
-        print(f"| {made.title} | {out.mesh.cells} | {out.fraction:.3f} | {100 * out.deviation.min():+.2f} % | "
-              f"{100 * out.deviation.max():+.2f} % | {leaked} |", flush=True)  # fmt: skip
+        least, most = out.deviation.min(), out.deviation.max()
+        print(tables.markdown_row((made.title, out.mesh.cells, f"{out.fraction:.3f}", f"{100 * least:+.2f} %", f"{100 * most:+.2f} %", leaked)),
+              flush=True)  # fmt: skip
     if "refined" in names and not mapping:
         flow = flow_through_refinement()
         near = abs(flow.height) < 3

@@ -6,9 +6,8 @@ import os
 import shutil
 import subprocess
 
-import h5py
-import numpy
 import support
+from interphase.run import Run
 
 WIDTH, DEPTH, HEIGHT = 0.0384, 0.0192, 0.096  # [m]
 DIAMETER, DENSITY = 2e-3, 1131.0
@@ -47,17 +46,11 @@ def run(folder, out, *words, program=None, **changes):
 
 def snapshots(out):
     """[(time, {name: rows by id})]."""
-    found = []
-    with h5py.File(os.path.join(out, "particles.h5"), "r") as file:
-        for group in file["snapshots"].values():
-            order = numpy.argsort(group["id"][()])
-            found.append((float(group.attrs["time"]), {name: group[name][()][order] for name in group}))
-    return found
+    return [(each.time, each.arrays()) for each in Run(out).snapshots]
 
 
 def series(out, name):
-    with h5py.File(os.path.join(out, "results.h5"), "r") as file:
-        return file["series"][name][()]
+    return Run(out).series[name].values
 
 
 def record(out):

@@ -10,9 +10,9 @@ import tempfile
 import unittest
 
 import h5py
-import numpy
 
 from interphase import foam_file, launch, parameters as scene_numbers
+from interphase.snapshots import Snapshots
 
 SOURCE = os.environ.get("INTERPHASE_SOURCE") or os.path.realpath(os.path.join(os.path.dirname(__file__), "..", ".."))
 BUILD = os.environ.get("INTERPHASE_BUILD") or os.path.join(SOURCE, "build", "release")
@@ -50,12 +50,7 @@ class Finished:
 
     def snapshots(self):
         """Per time a dict of arrays, rows sorted by id: {time: {"position": [n, 3], ...}}."""
-        found = {}
-        with h5py.File(self.path("particles.h5"), "r") as file:
-            for group in file["/snapshots"].values():
-                order = numpy.argsort(group["id"][:])
-                found[float(group.attrs["time"])] = {name: group[name][:][order] for name in group}
-        return found
+        return {each.time: each.arrays() for each in Snapshots(self.path("particles.h5"))}
 
 
 def execute(folder, ranks=1, timeout=LONGEST, options=("-overwrite",), **changes):

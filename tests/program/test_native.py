@@ -17,6 +17,7 @@ import unittest
 import numpy
 
 import support
+from interphase import data_file
 
 STEPS = 10000
 SOLID_STEP = 1.7e-5  # [s], t_c/21
@@ -86,12 +87,7 @@ def spheres():
     lattice = numpy.stack(numpy.meshgrid(*[numpy.arange(sites)] * 3), axis=-1).reshape(-1, 3)[:COUNT]
     positions = (lattice + 0.5) * pitch + random.uniform(-0.1, 0.1, (COUNT, 3)) * diameter
     velocities = random.uniform(-1, 1, (COUNT, 3))
-    lines = ["spheres", "", f"{COUNT} atoms", "2 atom types", ""]
-    lines += [f"0.0 {EDGE!r} {axis}lo {axis}hi" for axis in "xyz"] + ["", "Atoms", ""]
-    lines += [f"{i} 1 {diameter!r} {density!r} " + " ".join(map(repr, map(float, x))) for i, x in enumerate(positions, 1)]
-    lines += ["", "Velocities", ""]
-    lines += [f"{i} " + " ".join(map(repr, map(float, v))) + " 0.0 0.0 0.0" for i, v in enumerate(velocities, 1)]
-    return "\n".join(lines) + "\n"
+    return data_file.text("spheres", 3 * [0], 3 * [EDGE], positions, diameter, density, velocity=velocities)
 
 
 @unittest.skipUnless(shutil.which("liggghts"), "needs the liggghts binary")

@@ -8,9 +8,9 @@ import os
 import subprocess
 import unittest
 
-import h5py
 import numpy
 
+import interphase
 import support
 
 G = 9.81
@@ -34,8 +34,7 @@ class Terms(support.ProgramTest):
         out = self.ran(name, "settling", 0.05, diameter=2e-3, particleDensity=500, gasDensity=1000, gasViscosity=0.1, startHeight=1,
                        **{"system/couplingDict__forces": forces, "system/couplingDict__particles/solidStep": 2e-5,
                           "system/couplingDict__records/snapshotInterval": 1e-3, "system/controlDict__deltaT": 2e-4})  # fmt: skip
-        with h5py.File(os.path.join(out, "particles.h5")) as file:
-            return zip(*sorted((group.attrs["time"], group["velocity"][0, 2]) for group in file["snapshots"].values()))
+        return zip(*((each.time, each.velocities[0, 2]) for each in interphase.Run(out).snapshots))
 
     def test_a_light_sphere_rises_as_the_closed_solution_says(self):
         mass, displaced = 500, 1000  # per volume
@@ -55,8 +54,7 @@ class Terms(support.ProgramTest):
         for ranks in (1, 2):
             out = self.ran(f"all{ranks}", "suspension", 0.04, ranks, solidFraction=0.3,
                            **{"system/couplingDict__forces": "(virtualMass viscousStress saffmanMeiLift)"})  # fmt: skip
-            with h5py.File(os.path.join(out, "results.h5")) as file:
-                ledger = {name: file["ledger"][name][:] for name in file["ledger"]}
+            ledger = {name: each.values for name, each in interphase.Run(out).ledger.items()}
             self.assertLess(ledger["momentum_residual"].max(), 1e-12)
             self.assertLess(ledger["volume_residual"].max(), 1e-12)
             self.assertLess(ledger["gas_volume_residual"].max(), 1e-12)

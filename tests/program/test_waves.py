@@ -9,8 +9,7 @@ import re
 import subprocess
 import unittest
 
-import h5py
-
+import interphase
 import support
 
 TOLD = "waves of the solid fraction run"
@@ -34,8 +33,7 @@ class Waves(support.ProgramTest):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         with open(os.path.join(out, "log.interphase"), encoding="utf-8") as log:
             said = log.read()
-        with h5py.File(os.path.join(out, "results.h5")) as file:
-            return said, file["ledger/steps_outrun_by_waves"][-1]
+        return said, interphase.Run(out).ledger["steps_outrun_by_waves"].values[-1]
 
     def test_are_told_and_obeyed(self):
         said, outrun = self.column("long", 0.1, False)

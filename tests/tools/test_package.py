@@ -11,7 +11,7 @@ import sys
 import tempfile
 import unittest
 
-from interphase import commands
+from interphase import commands, launch
 
 REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 PACKAGE = os.path.join(REPOSITORY, "python", "interphase")
@@ -98,12 +98,26 @@ class MissingModules(Bench):
         return self.execute(os.path.join(REPOSITORY, "tools", name), *words, INTERPHASE_PYTHON=self.python)
 
     def test_are_named_with_how_to_get_them(self):
-        for name, module in (("compare", "numpy"), ("report", "h5py"), ("picture", "h5py"), ("bench", "h5py")):
+        for name, module in (("compare", "numpy"), ("report", "h5py"), ("picture", "h5py")):
             with self.subTest(name):
                 done = self.tool(name, "a")
                 self.assertEqual(done.returncode, 2, done.stderr)
                 self.assertRegex(done.stderr, rf"^{name}: /usr/bin/python3\S* has no module {module}\. On Debian: apt-get install python3-{module}")
                 self.assertNotIn("Traceback", done.stderr)
+
+    def test_of_a_script_and_of_prepare(self):
+        """A program that tools/run starts is helped with the same words."""
+        script = os.path.join(self.folder, "look.py")
+        with open(script, "w", encoding="utf-8") as stream:
+            stream.write("import interphase, os\nos.mkdir('run')\nopen('run/results.h5', 'w')\ninterphase.Run('run').series\n")
+        done = self.execute(self.python, script, PYTHONPATH=os.path.join(REPOSITORY, "python"))
+        self.assertRegex(done.stderr, r"ModuleNotFoundError: \S+ has no module h5py\. On Debian: apt-get install python3-h5py")
+        program = os.path.join(self.folder, "prepare")
+        with open(program, "w", encoding="utf-8") as stream:
+            stream.write("#!/usr/bin/python3 -S\nimport numpy.linalg\n")
+        os.chmod(program, 0o755)
+        with self.assertRaisesRegex(launch.StepFailed, "prepare failed(.*\n)*On Debian: apt-get install python3-numpy"):
+            launch.step([program], os.path.join(self.folder, "log.prepare"), dict(os.environ), self.folder)
 
     def test_are_not_wanted_to_start_a_run(self):
         """tools/run installs them; a bed of one size needs none."""

@@ -27,7 +27,7 @@ import random
 import sys
 from dataclasses import dataclass
 
-from interphase import sizes
+from interphase import data_file, sizes
 from interphase.input_error import InputError
 
 # Places of the spheres in a unit cell, as fractions of its edge, symmetric about its middle, so that the same
@@ -187,15 +187,10 @@ def write_script(path, spheres):
 
 
 def write(path, atoms, density, box, types):
-    """The data file of atoms (type, diameter, x, y, z); columns as atom_vec_sphere.cpp reads them: id type diameter density x y z."""
-    with open(path, "w", encoding="ascii") as out:
-        out.write(f"LIGGGHTS data file, atom_style granular, SI units: {len(atoms)} spheres (tools/bed)\n\n")
-        out.write(f"{len(atoms)} atoms\n{types} atom types\n\n")
-        for axis, low, high in zip("xyz", box.low, box.high):
-            out.write(f"{low!r} {high!r} {axis}lo {axis}hi\n")
-        out.write("\nAtoms\n\n")
-        for number, (kind, diameter, x, y, z) in enumerate(atoms, 1):
-            out.write(f"{number} {kind} {diameter!r} {density!r} {x!r} {y!r} {z!r}\n")
+    """The data file of atoms (type, diameter, x, y, z)."""
+    kinds, diameters, *_ = zip(*atoms)
+    data_file.write(path, f"{len(atoms)} spheres (tools/bed)", box.low, box.high, [atom[2:] for atom in atoms], diameters, density, kinds,
+                    types=types)  # fmt: skip
 
 
 def arguments(argv):

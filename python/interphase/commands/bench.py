@@ -33,9 +33,8 @@ import subprocess
 import sys
 import tempfile
 
-import h5py
-
-from interphase import launch, parameters
+from interphase import launch, parameters, tables
+from interphase.run import Run
 from interphase.tree import CASES, REPOSITORY, TOOLS
 
 
@@ -55,10 +54,8 @@ def coupled_run(folder, method, until, settings, case=CASE):
     done = subprocess.run(arguments, capture_output=True, text=True)
     if done.returncode != 0:
         sys.exit(f"bench: {' '.join(arguments)} failed:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
-    with h5py.File(os.path.join(folder, "results.h5"), "r") as results:
-        timing = dict(results["timing"].attrs)
-        meta = dict(results["meta"].attrs)
-    return timing, meta
+    done = Run(folder)
+    return done.timing, done.meta
 
 
 def native_loop_seconds(folder, meta):
@@ -96,18 +93,17 @@ def overhead(given):
 def phases(given):
     scratch = None
     if given.run:
-        with h5py.File(os.path.join(given.run, "results.h5"), "r") as results:
-            timing, meta = dict(results["timing"].attrs), dict(results["meta"].attrs)
+        timing, meta = Run(given.run).timing, Run(given.run).meta
     else:
         scratch = tempfile.mkdtemp(prefix="interphase-bench-")
         timing, meta = coupled_run(os.path.join(scratch, "run"), given.method, given.until, [])
     wall, simulated = float(meta["wall_time"]), float(meta["simulated_time"])
-    method = meta['method'].decode() if isinstance(meta['method'], bytes) else meta['method']
-    print(f"{method}, weight {float(meta['weight']):g}, {simulated:g} s simulated, {int(meta['ranks'])} rank(s)")
-    print(f"{'phase':10s} {'s per simulated s':>18s} {'share':>7s}")
+    print(f"{meta['method']}, weight {float(meta['weight']):g}, {simulated:g} s simulated, {int(meta['ranks'])} rank(s)")
+    rows = [("phase", "s per simulated s", "share")]
     for phase in ("solids", "gas", "mapping", "exchange", "output", "waiting", "setup"):
         seconds = float(timing[phase])
-        print(f"{phase:10s} {seconds / simulated:18.2f} {100 * seconds / wall:6.1f} %")
+        rows.append((phase, f"{seconds / simulated:.2f}", f"{100 * seconds / wall:.1f} %"))
+    print("\n".join(tables.columns(rows, right=(1, 2))))
     coupling = sum(float(timing[phase]) for phase in ("mapping", "exchange", "output"))
     engines = float(timing["solids"]) + float(timing["gas"])
     running = wall - float(timing["setup"])
@@ -152,16 +148,14 @@ def solids_per_second(folder, out, method, weight, until, settings, start=None):
     done = subprocess.run(arguments, capture_output=True, text=True)
     if done.returncode != 0:
         sys.exit(f"bench: {' '.join(arguments)} failed:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
-    with h5py.File(os.path.join(out, "results.h5"), "r") as results:
-        return float(results["timing"].attrs["solids"]) / float(results["meta"].attrs["simulated_time"])
+    return Run(out).timing["solids"] / Run(out).meta["simulated_time"]
 
 
 def methods(given):
     wanted = given.only or list(METHODS)
     beds = {}
     for run in given.bed:
-        with h5py.File(os.path.join(run, "results.h5"), "r") as results:
-            beds[int(results["meta"].attrs["weight"])] = run
+        beds[int(Run(run).meta["weight"])] = run
     with tempfile.TemporaryDirectory(prefix="interphase-bench-") as scratch:
         folders = {}
         for name in wanted:
@@ -181,13 +175,12 @@ def methods(given):
                     solids_per_second(folders[name], os.path.join(scratch, "run"), method, weight, span, step, beds[weight]))
             told = ", ".join(f"{name} {seconds[name][-1]:.2f}" for name in wanted)
             print(f"round {turn + 1}: seconds of solids per simulated second: {told}", flush=True)
-    print(f"{'method':14s} {'s per s':>9s} {'DEM / it, median (least to most)':>36s}")
+    rows = [("method", "s per s", "DEM / it, median (least to most)")]
     for name in wanted:
-        line = f"{name:14s} {statistics.median(seconds[name]):9.2f}"
-        if "DEM" in wanted:
-            ratios = [dem / own for dem, own in zip(seconds["DEM"], seconds[name])]
-            line += f" {statistics.median(ratios):14.1f} ({min(ratios):.1f} to {max(ratios):.1f})"
-        print(line)
+        ratios = [dem / own for dem, own in zip(seconds["DEM"], seconds[name])] if "DEM" in wanted else []
+        faster = f"{statistics.median(ratios):.1f} ({min(ratios):.1f} to {max(ratios):.1f})" if ratios else ""
+        rows.append((name, f"{statistics.median(seconds[name]):.2f}", faster))
+    print("\n".join(tables.columns(rows, right=(1, 2))))
 
 
 PARTS = ("search", "walls", "contacts", "integration", "communication")
@@ -271,10 +264,11 @@ def settled_bed(count, settle, steps, ranks=1):
 def cost(given):
     spent, whole, contacts = settled_bed(given.count, given.settle, given.steps)
     print(f"{given.count} spheres at rest, {contacts:.2f} contacts within the margin per sphere")
-    print(f"{'part':14s} {'ns per sphere and step':>24s} {'share':>7s}")
+    rows = [("part", "ns per sphere and step", "share")]
     rest = whole - sum(spent.values())
     for part, seconds in [*spent.items(), ("LIGGGHTS", rest), ("whole", whole)]:
-        print(f"{part:14s} {1e9 * seconds / given.count:24.1f} {100 * seconds / whole:6.1f} %")
+        rows.append((part, f"{1e9 * seconds / given.count:.1f}", f"{100 * seconds / whole:.1f} %"))
+    print("\n".join(tables.columns(rows, right=(1, 2))))
 
 
 def scaling(given):

@@ -32,7 +32,8 @@ import subprocess
 import sys
 from dataclasses import dataclass, replace
 
-from interphase import parameters
+from interphase import parameters, tables
+from interphase.run import Run
 from interphase.tree import REPOSITORY, TOOLS
 
 # Divides every gas step below; of the shortest collision of sscp1: 1/40 for parcels of 8, 1/14 for single particles [s].
@@ -164,14 +165,11 @@ def make_case(folder, variant, start, horizon, moved, environment):
 
 def run_once(folder, environment, binary):
     """Runs the case in `folder`; the seconds of its gas phase."""
-    import h5py
-
     with open(os.path.join(folder, "log.interphase"), "w") as log:
         code = subprocess.run([binary, "-case", folder], stdout=log, stderr=subprocess.STDOUT, env=environment).returncode
     if code != 0:
         sys.exit(f"gas-study: {binary} -case {folder} ended with exit code {code}; see log.interphase there")
-    with h5py.File(os.path.join(folder, "results.h5"), "r") as file:
-        return float(file["timing"].attrs["gas"])
+    return Run(folder).timing["gas"]
 
 
 def field(folder, name):
@@ -268,18 +266,17 @@ def main():
     noise = differences(chaos, folder_of[REFERENCE], outlet)
     print(f"chaos (reference with particles moved by 1e-9 m): "
           f"U {short(noise[0])}, phi {short(noise[1])}, p {short(noise[2])}\n")
-    print("| | gas step | time scheme | predictor | outer, inner | pressure solver | relTol, tolerance | gas s/s | spread "
-          "| error U | error phi | error p | algebra |")
-    print("|" + "---|" * 13)
+    print(tables.markdown_head(("", "gas step", "time scheme", "predictor", "outer, inner", "pressure solver", "relTol, tolerance", "gas s/s",
+                                "spread", "error U", "error phi", "error p", "algebra")))  # fmt: skip
     for group, members in groups.items():
         for v in members:
             cost = statistics.median(seconds[v])
             spread = (max(seconds[v]) - min(seconds[v])) / 2 / cost
             against = differences(folder_of[v], folder_of[REFERENCE], outlet)
             algebra = differences(folder_of[v], folder_of[v.converged()], outlet)
-            print(f"| {group} | {v.step * 1e3:g} ms | {v.scheme} | {'yes' if v.predictor else 'no'} | {v.outer}, {v.inner} "
-                  f"| {v.solver} | {v.relative:g}, {v.tolerance:g} | {cost:.1f} | {100 * spread:.0f} % | "
-                  f"{' | '.join(map(short, against))} | {short(max(algebra))} |")  # fmt: skip
+            print(tables.markdown_row((
+                group, f"{v.step * 1e3:g} ms", v.scheme, "yes" if v.predictor else "no", f"{v.outer}, {v.inner}", v.solver,
+                f"{v.relative:g}, {v.tolerance:g}", f"{cost:.1f}", f"{100 * spread:.0f} %", *map(short, against), short(max(algebra)))))
             group = ""
 
 

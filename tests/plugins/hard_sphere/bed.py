@@ -9,6 +9,7 @@ import numpy
 from scipy.spatial import cKDTree
 
 import support
+from interphase import data_file
 
 # of cases/sscp1
 DIAMETER, DENSITY, STIFFNESS, RESTITUTION = 3.256e-3, 1131.0, 800.0, 0.84
@@ -98,15 +99,8 @@ class Bed:
         n, beyond = len(self.centres), self.diameters.max()
         velocities = self.random.uniform(-0.5, 0.5, (n, 3))
         top = 2 * self.centres[:, 2].max()
-        lines = ["spheres", "", f"{n} atoms", "2 atom types", ""]
-        for axis, high in zip("xyz", (self.width, self.depth, top)):
-            lines.append(f"{-beyond!r} {float(high + beyond)!r} {axis}lo {axis}hi")
-        lines += ["", "Atoms", ""]
-        for i, (x, d) in enumerate(zip(self.centres.tolist(), self.diameters.tolist()), 1):
-            lines.append(f"{i} 1 {d!r} {DENSITY!r} {x[0]!r} {x[1]!r} {x[2]!r}")
-        lines += ["", "Velocities", ""]
-        lines += [f"{i} {x!r} {y!r} {z!r} 0 0 0" for i, (x, y, z) in enumerate(velocities.tolist(), 1)]
-        support.write(path, "\n".join(lines) + "\n")
+        support.write(path, data_file.text(f"{n} spheres", 3 * [-beyond], numpy.array([self.width, self.depth, top]) + beyond, self.centres,
+                                           self.diameters, DENSITY, velocity=velocities))  # fmt: skip
 
     def pour(self, folder, seconds, step, ranks=1, words="", timeout=support.LONGEST):
         """Lets it fall and lie for `seconds` at the solid step `step` [s]: a Lying. `words`: of fix tdhs."""

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 
 import numpy
 
-from interphase import launch, liggghts_dump
+from interphase import data_file, launch, liggghts_dump
 
 SOURCE = os.environ.get("INTERPHASE_SOURCE") or os.path.realpath(os.path.join(os.path.dirname(__file__), "..", "..", ".."))
 BUILD = os.environ.get("INTERPHASE_BUILD") or os.path.join(SOURCE, "build", "release")
@@ -107,16 +107,7 @@ class Scene:
 
     def data(self):
         s = self.spheres
-        text = f"spheres\n\n{len(s.position)} atoms\n{self.types} atom types\n\n"
-        for low, high, axis in zip(self.low, self.high, "xyz"):
-            text += f"{low!r} {high!r} {axis}lo {axis}hi\n"
-        text += "\nAtoms\n\n"
-        for k, (x, d, rho, kind) in enumerate(zip(s.position, s.diameter, s.density, s.type), 1):
-            text += f"{k} {kind} {d:.17g} {rho:.17g} {x[0]:.17g} {x[1]:.17g} {x[2]:.17g}\n"
-        text += "\nVelocities\n\n"
-        for k, values in enumerate(numpy.hstack([s.velocity, s.spin]), 1):
-            text += f"{k} " + " ".join(f"{value:.17g}" for value in values) + "\n"
-        return text
+        return data_file.text("spheres", self.low, self.high, s.position, s.diameter, s.density, s.type, s.velocity, s.spin, self.types)
 
 
 @dataclass

@@ -7,6 +7,7 @@ import subprocess
 import numpy
 
 import support
+from interphase import data_file
 
 SOURCE = os.environ.get("INTERPHASE_SOURCE") or os.path.realpath(os.path.join(os.path.dirname(__file__), "..", "..", ".."))
 
@@ -54,15 +55,7 @@ class Box:
         )  # fmt: skip
 
     def data(self):
-        n = len(self.position)
-        text = f"parcels\n\n{n} atoms\n2 atom types\n"
-        for axis, length in zip("xyz", self.size):
-            text += f"0 {length!r} {axis}lo {axis}hi\n"
-        text += "\nAtoms\n\n" + "".join(
-            f"{i + 1} 1 {d!r} {self.density!r} {x!r} {y!r} {z!r}\n"
-            for i, (d, (x, y, z)) in enumerate(zip(self.diameter.tolist(), self.position.tolist())))
-        return text + "\nVelocities\n\n" + "".join(
-            f"{i + 1} {x!r} {y!r} {z!r} 0 0 0\n" for i, (x, y, z) in enumerate(self.velocity.tolist()))  # fmt: skip
+        return data_file.text("parcels", (0, 0, 0), self.size, self.position, self.diameter, self.density, velocity=self.velocity)
 
     def write(self, folder, ranks=1):
         put = lambda path, kind, text: support.write(os.path.join(folder, path),  # noqa: E731

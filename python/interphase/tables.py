@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tables as text: columns in line for a terminal, or Markdown for a page."""
+
+
+def columns(rows, right=()):
+    """Lines of `rows` of texts, which may differ in length, each column as wide as its widest cell; those numbered in `right` flush right."""
+    width = [max(len(row[at]) for row in rows if at < len(row)) for at in range(max(map(len, rows)))]
+    return ["  ".join(cell.rjust(width[at]) if at in right else cell.ljust(width[at]) for at, cell in enumerate(row)).rstrip() for row in rows]
+
+
+def markdown_row(cells):
+    """A line of a table in Markdown."""
+    return "|" + "".join(f" {cell} |" if str(cell) else " |" for cell in cells)
+
+
+def markdown_head(names):
+    """The two lines that a table in Markdown begins with."""
+    return markdown_row(names) + "\n" + "|" + "---|" * len(names)
