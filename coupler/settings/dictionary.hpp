@@ -30,7 +30,7 @@ public:
     /// The entries in braces; null where there are none.
     virtual std::unique_ptr<Dictionary> block(const std::string& key) const = 0;
 
-    /// The value, whatever it is; "{...}" for a block.
+    /// The value, whatever it is, numbers to the last bit; "{...}" for a block.
     virtual std::string written(const std::string& key) const = 0;
     /// File, block and line of a key; without the line where it is not there.
     virtual std::string place(const std::string& key) const = 0;

@@ -9,14 +9,14 @@ import os
 
 import numpy
 
-from interphase import statistical_comparison
+from interphase import snapshot_measures, statistical_comparison
 from interphase.difference import Difference, compare_particles, compare_series, wanted
 from interphase.input_error import InputError
 from interphase.liggghts_dump import Dump, find_dumps
 from interphase.matching_times import matching_of
 from interphase.run_records import find_run
 
-EQUAL, DIFFERS, CANNOT = 0, 1, 2
+EQUAL, DIFFERS, CANNOT, UNJUDGED = 0, 1, 2, 3
 
 
 def opened(path, name):
@@ -120,19 +120,25 @@ def means(a, b, options):
     """Compare statistics; returns (exit code, verdict, [Comparison], notes, Matching)."""
     matching = matching_of(a, b, options.timestep)
     notes = []
-    collected = [{}, {}]
+    collected, spans = [{}, {}], [0.0, 0.0]
     sources = (a, b)
     series = [source.series() if source.kind == "run" else None for source in sources]
     if None not in series:
         for side, (times, values) in enumerate(series):
             inside = numpy.array([matching.inside(t, options.start, options.end) for t in times], dtype=bool)
             note_uneven(times[inside], "AB"[side], "series", notes)
+            spans[side] = _span(times[inside])
             collected[side].update({f"series/{name}": column[inside] for name, column in values.items()})
     if has_particles(a) and has_particles(b):
         first = [next((frame.load() for frame in source.frames()), None) for source in sources]
         weigh = all(state is not None and "diameter" in state.quantities for state in first)
+        place, left_out = snapshot_measures.place_of(sources, matching, options.start, options.end)
+        notes += left_out
         for side, source in enumerate(sources):
-            times, values = statistical_comparison.snapshot_series(source, matching, options.start, options.end, weigh)
+            times, values = statistical_comparison.snapshot_series(
+                source, matching, options.start, options.end, weigh, place
+            )
+            spans[side] = max(spans[side], _span(times))
             note_uneven(times, "AB"[side], "snapshots", notes)
             collected[side].update(values)
     both = [name for name in collected[0] if name in collected[1]]
@@ -147,12 +153,45 @@ def means(a, b, options):
     chosen = [full for short, full in shown.items() if wanted(short, options.only)]
     pair = ({name: side[name] for name in chosen} for side in collected)
     comparisons = statistical_comparison.compare(*pair, options.confidence)
-    verdicts = [c.verdict for c in comparisons]
-    if statistical_comparison.DIFFERENT in verdicts:
-        return DIFFERS, "statistically different", comparisons, notes, matching
-    if statistical_comparison.SAME in verdicts:
-        return EQUAL, "statistically indistinguishable", comparisons, notes, matching
-    return CANNOT, "cannot be judged", comparisons, notes, matching
+    code, verdict = judged_means(comparisons)
+    if code == UNJUDGED:
+        notes.append(remedy(comparisons, min(spans), "s" if matching.by == "time" or matching.solid_step else "steps"))
+    return code, verdict, comparisons, notes, matching
+
+
+def judged_means(comparisons):
+    """(exit code, verdict). What is constant on both sides does not count; where most of the rest is not judged, or ranges
+    lie apart, the runs are not called alike."""
+    varying = [c for c in comparisons if c.verdict != statistical_comparison.CONSTANT]
+    if any(c.certain for c in varying):
+        return DIFFERS, "statistically different"
+    unjudged = [c for c in varying if c.verdict != statistical_comparison.SAME]
+    if not varying or 2 * len(unjudged) > len(varying) or any(c.apart for c in unjudged):
+        return UNJUDGED, "cannot be judged"
+    return EQUAL, "statistically indistinguishable"
+
+
+def remedy(comparisons, span, unit):
+    """What would make runs judgeable whose records are `span` long."""
+    varying = [c for c in comparisons if c.verdict != statistical_comparison.CONSTANT]
+    if not varying:
+        return "nothing varies: compare the numbers themselves, without --statistics"
+    words = []
+    apart = sum(c.apart for c in varying)
+    if apart:
+        words.append(f"of {len(varying)} quantities that vary, {apart} have ranges that lie apart: they differ grossly, or these records are too "
+                     "short to show how far one flow goes")
+    factor = statistical_comparison.needed(comparisons)
+    if factor is not None and factor > 1:
+        words.append(f"for half of what varies to be judged, both need about {factor * span:.2g} {unit} instead of {span:.2g}, at "
+                     "least: motions slower than the record do not show in it. Snapshots closer together help where samples are too few")
+    elif apart:
+        words.append("run longer")
+    return "; ".join(words) or "run longer, or skip the start-up with --from"
+
+
+def _span(times):
+    return float(times[-1] - times[0]) if len(times) > 1 else 0.0
 
 
 def note_uneven(times, side, what, notes):

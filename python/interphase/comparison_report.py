@@ -6,7 +6,7 @@ import math
 
 import numpy
 
-from interphase.statistical_comparison import DIFFERENT, SAME
+from interphase.statistical_comparison import CONSTANT, DIFFERENT, GROSS, SAME, UNJUDGED
 
 
 def of_difference(verdict, a, b, difference, tolerances):
@@ -38,7 +38,7 @@ def of_statistics(verdict, a, b, comparisons, notes, confidence):
     """The report of a comparison of means."""
     rows = []
     for c in comparisons:
-        row = {"name": c.name, "verdict": c.verdict, "reason": c.reason}
+        row = {"name": c.name, "verdict": c.verdict, "reason": c.reason, "certain": c.certain, "ranges_apart": c.apart, "chance_in_one_flow": c.chance}
         for side, mean in (("a", c.a), ("b", c.b)):
             row[side] = None if mean is None else dataclasses.asdict(mean)
         if c.difference is not None:
@@ -125,15 +125,29 @@ def _statistics(report):
             shown += [f"{row['value']:+.4g}", f"{row['ratio']:+.2f}", f"{row['seen_from']:.2g}"]
         else:
             shown += ["", "", ""]
-        table.append([row["name"], *shown, row["verdict"] + (f" ({row['reason']})" if row["reason"] else "")])
+        table.append([row["name"], *shown, row["verdict"] + _because(row)])
     lines = _table(table)
-    counts = {v: sum(row["verdict"] == v for row in rows) for v in (SAME, DIFFERENT)}
-    left = len(rows) - sum(counts.values())
-    confidence = f"{100 * report['confidence']:g} % confidence for all together"
-    unjudged = f"; {left} not judged" if left else ""
-    lines.append(f"{counts[SAME]} {SAME}, {counts[DIFFERENT]} {DIFFERENT} at {confidence}{unjudged}")
+    counts = {v: sum(row["verdict"] == v for row in rows) for v in (SAME, DIFFERENT, GROSS, UNJUDGED, CONSTANT)}
+    shown = [f"{counts[v]} {v}" for v in counts if counts[v] or v in (SAME, DIFFERENT)]
+    lines.append(f"{', '.join(shown)}; at {100 * report['confidence']:g} % confidence for all together")
+    if counts[CONSTANT]:
+        lines.append("constant on both sides, and the same, says nothing of a flow: not counted")
+    seen = [(row["seen_from"] / max(row["a"]["deviation"], row["b"]["deviation"]), row["seen_from"], row["name"])
+            for row in rows if row["verdict"] == SAME]
+    if seen:
+        deviations, size, name = max(seen)
+        lines.append(f"least sharp: {name}: a difference below {size:.2g}, {deviations:.2g} of its deviations in time, would not "
+                     "have shown")
     lines.append("means are given with their standard error, autocorrelation taken in")
     return lines
+
+
+def _because(row):
+    apart = ""
+    if row["ranges_apart"]:
+        apart = f"ranges apart, by chance in one flow: {row['chance_in_one_flow']:.2g}"
+    words = "; ".join(each for each in (apart, row["reason"]) if each)
+    return f" ({words})" if words else ""
 
 
 def _mean(mean):

@@ -21,6 +21,7 @@ from scipy import stats
 MINIMUM_SAMPLES = 20
 MINIMUM_FREEDOM = 4.0
 LONGEST_FITTED = 4096
+FEWEST_FITTED = 8  # samples of which a model of two coefficients can be made
 
 
 @dataclass(frozen=True)
@@ -103,6 +104,64 @@ def _autocovariances(phi, noise):
     return numpy.linalg.solve(system, right)[:order]
 
 
+def _error(series):
+    """(standard error of the mean, its degrees of freedom) of a series that is no constant; None where averages of its
+    neighbours are one."""
+    count = len(series)
+    # Averages of neighbours keep the mean and S(0), and let a model of few coefficients reach further back.
+    block = -(-count // LONGEST_FITTED)
+    blocks = count // block
+    fitted = series[count - blocks * block:].reshape(blocks, block).mean(axis=1)
+    fitted = fitted - fitted.mean()
+    if not fitted.any():
+        return None
+    phi, noise = _autoregressive(fitted)
+    gain = 1 - float(phi.sum())
+    error = math.sqrt(noise / blocks) / gain
+    scatter = 2 / blocks
+    if len(phi):
+        ones = numpy.ones(len(phi))
+        covariances = _autocovariances(phi, noise)
+        matrix = covariances[numpy.abs(numpy.subtract.outer(numpy.arange(len(phi)), numpy.arange(len(phi))))]
+        scatter += 4 / gain**2 * noise / blocks * float(ones @ numpy.linalg.solve(matrix, ones))
+    return error, max(2 / scatter - 1, 0.0)
+
+
+def _worth(series):
+    """(independent samples, degrees of freedom) as the record itself shows them, however few; zeros where it cannot."""
+    series = numpy.asarray(series, dtype=float)
+    deviation = float(series.std(ddof=1)) if len(series) > 1 else 0.0
+    if deviation <= 1e-14 * float(numpy.abs(series).max(initial=0.0)):
+        return float(len(series)), math.inf
+    if len(series) < FEWEST_FITTED:
+        return 0.0, 0.0
+    found = _error(series)
+    return (0.0, 0.0) if found is None else ((deviation / found[0]) ** 2, found[1])
+
+
+def worth(series):
+    """How many independent samples a record [n] is surely worth, a whole number that may be 0, not above n.
+
+    A record that is too short for the error of its mean may still be worth a few: as many as its autoregressive model
+    says, and no more than twice its degrees of freedom, which are about half as many in an AR(1) series, allow. Two are
+    taken off for the mean and the drift that a record shorter than its motions takes for a part of itself.
+    """
+    effective, freedom = _worth(series)
+    return max(int(min(effective, 2 * (freedom + 1), len(series))) - 2, 0)
+
+
+def longer_by(series):
+    """How many times longer a record must be for its mean to have an error, about; at least 1.
+
+    As far as the record shows: motions slower than itself make it more.
+    """
+    effective, freedom = _worth(series)
+    by = [1.0, MINIMUM_SAMPLES / len(series)]
+    if effective:
+        by += [2 * MINIMUM_FREEDOM / effective, (MINIMUM_FREEDOM + 1) / (freedom + 1)]
+    return max(by)
+
+
 def mean_with_error(series):
     """`Mean` of a stationary series [n] at even spacing, its autocorrelation taken in. NaN or empty: ValueError.
 
@@ -121,23 +180,10 @@ def mean_with_error(series):
     if count < MINIMUM_SAMPLES:
         return Mean(value, math.nan, deviation, count, math.nan, math.nan, math.nan,
                     f"{count} samples, at least {MINIMUM_SAMPLES} are needed")
-    # Averages of neighbours keep the mean and S(0), and let a model of few coefficients reach further back.
-    block = -(-count // LONGEST_FITTED)
-    blocks = count // block
-    fitted = series[count - blocks * block:].reshape(blocks, block).mean(axis=1)
-    fitted = fitted - fitted.mean()
-    if not fitted.any():
+    found = _error(series)
+    if found is None:
         return Mean(value, 0.0, deviation, count, float(count), math.inf, 0.0)
-    phi, noise = _autoregressive(fitted)
-    gain = 1 - float(phi.sum())
-    error = math.sqrt(noise / blocks) / gain
-    scatter = 2 / blocks
-    if len(phi):
-        ones = numpy.ones(len(phi))
-        covariances = _autocovariances(phi, noise)
-        matrix = covariances[numpy.abs(numpy.subtract.outer(numpy.arange(len(phi)), numpy.arange(len(phi))))]
-        scatter += 4 / gain**2 * noise / blocks * float(ones @ numpy.linalg.solve(matrix, ones))
-    freedom = max(2 / scatter - 1, 0.0)
+    error, freedom = found
     effective = (deviation / error) ** 2
     reason = ""
     if effective < 2 * MINIMUM_FREEDOM:

@@ -22,6 +22,7 @@ import numpy
 from scipy.signal import lfilter
 from scipy.stats import t as student
 
+from interphase import comparison, statistical_comparison
 from interphase import time_statistics as statistics
 from interphase.commands import compare as compare_tool
 from interphase.matching_times import merged
@@ -538,8 +539,75 @@ class Statistics(Folder):
     def test_too_short_to_judge(self):
         a, b = self.chaotic("a", 1, count=15), self.chaotic("b", 2, count=15)
         code, report, _ = self.compare(a, b, "--statistics")
-        self.assertEqual((code, report["verdict"]), (2, "cannot be judged"))
+        self.assertEqual((code, report["verdict"]), (3, "cannot be judged"))
         self.assertIn("15 samples", report["statistics"][0]["reason"])
+        self.assertIn("both need about", " ".join(report["notes"]))
+
+    def record(self, name, **series):
+        count = len(next(iter(series.values())))
+        return self.run_folder(name, {}, series={"time": 0.05 * numpy.arange(1, count + 1), **series})
+
+    def test_constants_do_not_count(self):
+        """Three constants that agree say nothing of a flow whose pressure drop is too short a record to be judged."""
+        random = numpy.random.default_rng(3)
+        sides = [
+            self.record(name, particles=numpy.full(15, 7.0), mass=1 + 1e-14 * random.standard_normal(15), came=numpy.zeros(15),
+                        pressure_drop=random.standard_normal(15))
+            for name in "ab"
+        ]
+        code, report, _ = self.compare(*sides, "--statistics")
+        self.assertEqual(code, 3, report)
+        verdicts = {row["name"].split("/")[1]: row["verdict"] for row in report["statistics"]}
+        self.assertEqual([verdicts[name] for name in ("particles", "mass", "came")], ["constant"] * 3)
+        lost = self.record("c", particles=numpy.full(15, 6.0))
+        self.assertEqual(self.compare(sides[0], lost, "--statistics")[0], 1)
+        self.assertEqual(self.compare(sides[0], self.record("d", particles=numpy.full(15, 7.0)), "--statistics")[0], 3)
+
+    def test_energies_ten_times_apart_are_never_alike(self):
+        """Records that drift or are short: their errors are unknown, but all of the one lies above all of the other."""
+        random = numpy.random.default_rng(4)
+        steady = {side: correlated(random, [0.3], 60) for side in "ab"}
+        pair = []
+        for side, size in (("a", 1), ("b", 0.1)):
+            drift = 1 + 0.04 * correlated(random, [0.98], 60)  # 60 samples, autocorrelation time 50; deviation 0.2
+            slow = 1 + 0.05 * correlated(random, [0.8], 60)
+            pair.append(self.record(side, kinetic_energy=size * drift, spin=size * slow, pressure_drop=steady[side]))
+        code, report, _ = self.compare(*pair, "--statistics", "--only", "series/kinetic_energy,series/pressure_drop")
+        rows = {row["name"]: row for row in report["statistics"]}
+        self.assertEqual((code, rows["series/pressure_drop"]["verdict"]), (3, "indistinguishable"), report)
+        self.assertTrue(rows["series/kinetic_energy"]["ranges_apart"])
+        self.assertIn("ranges apart, by chance in one flow", self.text(*pair, "--statistics"))
+        # Worth three and some eight samples: 2 of 110 orders or so keep them apart, enough at 95 %, not at 99 %.
+        for confidence, expected in (("0.95", 1), ("0.99", 3)):
+            code, report, _ = self.compare(*pair, "--statistics", "--only", "series/spin", "--confidence", confidence)
+            self.assertEqual((code, report["statistics"][0]["verdict"]), (expected, "differ grossly"), report)
+
+    def verdicts(self, phi, count, quantities, pairs, shift=0.0):
+        """How many of `pairs` end by each exit code at 95 %: AR series, one of the quantities shifted by `shift` errors."""
+        random = numpy.random.default_rng(11)
+        spread = math.sqrt(2 / count) / (1 - sum(phi))  # of the difference of two means
+        codes = []
+        for _ in range(pairs):
+            a, b = ({str(at): correlated(random, phi, count) for at in range(quantities)} for _ in "ab")
+            b["0"] = b["0"] + shift * spread
+            codes.append(comparison.judged_means(statistical_comparison.compare(a, b, 0.95))[0])
+        return {code: codes.count(code) for code in set(codes)}
+
+    def test_one_flow_is_called_different_as_rarely_as_stated(self):
+        """20 quantities at 95 % for all together: 5 of 100 pairs are expected at most, deviation 2.2; 11 are 2.8 of these above.
+        Decaying, slugging (a damped oscillation of 20 samples), and records too short for their own motions."""
+        for phi, count in (([0.9], 600), ([1.8, -0.9], 400), ([0.9], 50), ([0.98], 100)):
+            found = self.verdicts(phi, count, 20, 100)
+            self.assertLessEqual(found.get(1, 0), 11, (phi, count, found))
+            # The first two are long enough to be judged, the others are not and must not read as alike.
+            self.assertGreaterEqual(found.get(0 if count > 100 else 3, 0), 85, (phi, count, found))
+
+    def test_differences_are_found(self):
+        """Three standard errors: Student's test at 5 % finds 85 % of them; half the level and half the degrees of freedom cost a
+        few. Among 20 quantities five errors are found as often."""
+        for phi in ([0.9], [1.8, -0.9]):
+            self.assertGreater(self.verdicts(phi, 2000, 1, 60, shift=3)[1], 36, phi)
+            self.assertGreater(self.verdicts(phi, 2000, 20, 30, shift=5)[1], 22, phi)
 
     def test_nan_in_one_run_is_a_difference(self):
         a, b = self.chaotic("a", 1), self.chaotic("b", 2)
@@ -570,6 +638,7 @@ class Statistics(Folder):
         different = {row["name"].split(" ")[0] for row in report["statistics"] if row["verdict"] == "different"}
         self.assertEqual(code, 1)
         self.assertTrue({"particles/mean_vertical_velocity", "particles/vertical_velocity_quantile_50%"} <= different)
+        self.assertTrue(any(name.startswith("profile/moving_up") for name in different))
         self.assertNotIn("particles/mean_height", different)
 
 

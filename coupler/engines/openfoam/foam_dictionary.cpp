@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engines/openfoam/foam_dictionary.hpp"
 
+#include <charconv>
+
+#include "OStringStream.H"
 #include "token.H"
 
 namespace interphase {
@@ -39,6 +42,18 @@ std::optional<Foam::string> text_of(const Foam::token& token)
     if (token.isWord()) return token.wordToken();
     if (token.isString()) return token.stringToken();
     return std::nullopt;
+}
+
+/// A number in as few digits as give it back; OpenFOAM's own streams round to six.
+std::string written(const Foam::token& token)
+{
+    if (token.isScalar()) {
+        char text[32];  // no double takes more than 24
+        return {text, std::to_chars(text, text + sizeof text, token.scalarToken()).ptr};
+    }
+    Foam::OStringStream stream;
+    stream << token;
+    return stream.str();
 }
 
 }  // namespace
@@ -102,7 +117,11 @@ std::unique_ptr<Dictionary> FoamDictionary::block(const std::string& key) const
 
 std::string FoamDictionary::written(const std::string& key) const
 {
-    return dict_.isDict(key, literal) ? "{...}" : std::string(dict_.lookup(key, literal).toString());
+    if (dict_.isDict(key, literal)) return "{...}";
+    std::string all;
+    for (const Foam::token& token : tokens_of(dict_, key))
+        all += (all.empty() ? "" : " ") + interphase::written(token);
+    return all;
 }
 
 std::string FoamDictionary::place(const std::string& key) const

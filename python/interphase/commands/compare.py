@@ -34,17 +34,25 @@ sides and all that was compared. Where a dump says BOX BOUNDS pp, positions are 
 the number of those that needed it is shown: images that agree exactly are equal.
 
 --statistics is for chaotic flows, where two runs part ways whatever one does. Means over time of each series of
-results.h5 and of measures of the particle snapshots (mean height, kinetic energy per mass, vertical velocity: mean
-and quantiles, spin) are compared, z upwards. The error of a mean takes the autocorrelation in, by an
-autoregressive fit (Berk 1974; Thompson, arXiv:1011.0175); the difference is tested by Welch's t. --confidence holds
-for all quantities together (Bonferroni). `indistinguishable` says no more than that a difference above `seen from`
-would have shown. Quantities whose record is too short, or still drifts, are not judged: run longer, or skip the start-up with
---from.
+results.h5 and of measures of the particle snapshots are compared, z upwards: mean height, kinetic energy per mass, vertical
+velocity (mean and quantiles), spin; of five layers the solids in them and how these move up and down; where diameters are
+known, too, voidage about the solids (cells of four diameters) and overlaps. The error of a mean takes the autocorrelation in,
+by an autoregressive fit (Berk 1974; Thompson, arXiv:1011.0175); the difference is tested by Welch's t with half the degrees of
+freedom and half the significance (what the fit adds, measured). --confidence holds for all quantities together (Holm 1979):
+one and the same flow is called different with a chance of 1 - confidence at most. `indistinguishable` says no more than that a
+difference above `seen from` would have shown.
+Quantities whose record is too short, or still drifts, or where no difference below three standard deviations in time would
+show, are not judged: run longer, or skip the start-up with --from. If the
+ranges of two such records lie wholly apart, the chance of that in one flow is given, 2 in all orders of as many independent
+samples as the records are worth; below 5 % they `differ grossly`. Only where the chance is small enough for all quantities
+together are the runs called different for it; else the verdict is open. What is constant and the same on both sides
+does not count.
 
 exit code:
   0  bit-equal, equal within --tolerance, or statistically indistinguishable
   1  different
-  2  cannot be compared: bad input, nothing in common, or no quantity could be judged
+  2  cannot be compared: bad input, or nothing in common
+  3  --statistics cannot judge: most of what varies is not judged, or ranges lie apart of records too short to be sure; how long about would do is told
 
 examples:
   tools/compare runs/bed post/native.dump --same-times && echo same

@@ -24,6 +24,8 @@ mixed       (hard_sphere 3);
 taps        ((0 0 1) (-0.5 2e-3 $size));
 flat        ((0 0) (1 1));
 none        ();
+third       #eval{ 1.0/3.0 };
+long        (9.810000000000002 -1.2345678e-7 12345678 1e-5);
 gas
 {
     model   pimple;
@@ -47,7 +49,7 @@ protected:
 TEST_F(OfOpenFoam, ListsItsKeysInOrderWithoutTheHeader)
 {
     const std::vector<std::string> all = read_.keys();
-    ASSERT_EQ(all.size(), 12u);
+    ASSERT_EQ(all.size(), 14u);
     EXPECT_EQ(all.front(), "size");
     EXPECT_EQ(all.back(), "gas");
     EXPECT_TRUE(read_.has("gas"));
@@ -103,10 +105,13 @@ TEST_F(OfOpenFoam, TellsWhatIsWrittenAndWhere)
     EXPECT_EQ(read_.written("law"), "WenYu");
     EXPECT_EQ(read_.written("several"), "one two");
     EXPECT_EQ(read_.written("gas"), "{...}");
+    // What goes into the script as a variable is the same double there.
+    EXPECT_EQ(std::stod(read_.written("third")), read_.number("third"));
+    EXPECT_EQ(read_.written("long"), "( 9.810000000000002 -1.2345678e-07 12345678 1e-05 )");
     EXPECT_EQ(read_.place("law"), "system/couplingDict, line 5");
-    EXPECT_EQ(read_.place("gas"), "system/couplingDict, block at line 15");  // its first entry
+    EXPECT_EQ(read_.place("gas"), "system/couplingDict, block at line 17");  // its first entry
     EXPECT_EQ(read_.place("drag"), "system/couplingDict");
-    EXPECT_EQ(read_.block("gas")->place("model"), "system/couplingDict.gas, line 15");
+    EXPECT_EQ(read_.block("gas")->place("model"), "system/couplingDict.gas, line 17");
 }
 
 }  // namespace
