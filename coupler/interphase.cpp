@@ -19,6 +19,31 @@
 
 namespace {
 
+constexpr const char* usage = R"(usage: interphase [-case DIR] [-resume | -overwrite] [-wallLimit SECONDS]
+       mpirun -n N interphase -parallel [-case DIR] ...
+
+Runs a coupled case: LIGGGHTS for the particles, OpenFOAM for the gas.
+
+  -case DIR            the case; the current folder where it is not given
+  -parallel            on N ranks, of a case that decomposePar has cut into N parts
+  -resume              go on from the newest whole checkpoint of the case
+  -overwrite           replace the records of an earlier run in the case
+  -wallLimit SECONDS   end, with a checkpoint, before the run has taken so long
+
+  -help                OpenFOAM's options as well
+  -help keys           the keys of system/couplingDict
+  -version             version, commit, compiler, engines
+
+A case is a folder with system/controlDict, system/couplingDict, a mesh, fields in 0/, and a LIGGGHTS script. tools/run
+prepares one, runs it and draws it; cases/ has examples.
+Exit code: 0 at the end time; tools/CLUSTERS.md has the table.
+)";
+
+bool asks_for_usage(int argc, char** argv)
+{
+    return argc == 2 && (std::string(argv[1]) == "--help" || std::string(argv[1]) == "-h");
+}
+
 bool asks_for_keys(int argc, char** argv)
 {
     return argc == 3 && std::string(argv[1]) == "-help" && std::string(argv[2]) == "keys";
@@ -67,6 +92,10 @@ int main(int argc, char** argv)
         std::printf("%sengines: LIGGGHTS %s, OpenFOAM %s\n",
                     interphase::description(interphase::this_version()).c_str(), INTERPHASE_LIGGGHTS_VERSION,
                     interphase::FoamCase::version().c_str());
+        return 0;
+    }
+    if (asks_for_usage(argc, argv)) {
+        std::fputs(usage, stdout);
         return 0;
     }
     // a value that is not finite is reported by the coupler with its place; a trap would only end the process

@@ -115,19 +115,20 @@ int CoupledRun::run()
     requests_.emplace();
     const double start = case_.time();
     try {
-        const bool goes_on = kept_.has_value();
-        if (goes_on) go_on();
+        bool nothing_new = kept_.has_value();
+        if (nothing_new) go_on();
         records_->describe(clock_.solid_step(), gas_step_);
-        if (!goes_on) record(true);
+        if (!nothing_new) record(true);
         while (case_.running()) {
             const double before = report_.wall_seconds();
             follow_end_time();
             step();
+            nothing_new = false;
             wall_limit_.stepped(report_.wall_seconds() - before);
             checkpoint_if_due();
         }
         if (signal_ == 0 && !out_of_time_) follow_end_time();
-        if (!ended_) record(false);  // the end came nearer than the step before it was taken for
+        if (!ended_ && !nothing_new) record(false);  // the end came nearer than the step before it was taken for
         finish();
         if (out_of_time_) return static_cast<int>(ExitCode::wall_limit);
         return signal_ == 0 ? static_cast<int>(ExitCode::finished) : exit_code_of_signal(signal_);

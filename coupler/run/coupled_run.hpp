@@ -84,7 +84,7 @@ private:
     bool ended_ = false;        ///< the end of the run has been recorded
     Checkpoints checkpoints_{comm_};
     CheckpointSchedule checkpoint_schedule_;
-    Checkpoints::Facts facts_;  ///< as the run began: what is edited later, it does not know
+    Checkpoints::Facts facts_;                ///< as the run began: what is edited later, it does not know
     std::optional<Checkpoints::Found> kept_;  ///< from which the run is to go on
     SpentTime spent_before_;                  ///< by the parts of the run before this one
 };

@@ -42,11 +42,11 @@ struct Settings {
     MappingRules mapping;
     OutsideMesh outside_mesh = OutsideMesh::stop;
 
-    double record_interval = 0.05;        ///< between two rows of the series [s]
-    double snapshot_interval = 0;         ///< between two particle snapshots [s]; 0: as the gas fields are written
-    double checkpoint_interval = 0;       ///< between two checkpoints, simulated time [s]; 0: none for it
+    double record_interval = 0.05;          ///< between two rows of the series [s]
+    double snapshot_interval = 0;           ///< between two particle snapshots [s]; 0: as the gas fields are written
+    double checkpoint_interval = 0;         ///< between two checkpoints, simulated time [s]; 0: none for it
     double checkpoint_wall_interval = 600;  ///< likewise, of the wall clock [s]; 0: none by the clock
-    std::vector<Vector> pressure_taps;    ///< two points; their pressure difference is recorded
+    std::vector<Vector> pressure_taps;      ///< two points; their pressure difference is recorded
 };
 
 std::string name_of(Method method);  ///< as a case names it

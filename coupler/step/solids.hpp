@@ -24,7 +24,7 @@ struct ParticleView {
     ScalarsView mass;
     ParticleWeights weight;
     const int* id;
-    const int* type;  ///< as the script counts them, from 1
+    const int* type;    ///< as the script counts them, from 1
     FluidForce* fluid;  ///< null in a run without gas, as the next two
     double* booked;     ///< sum of the fluid force over the substeps since the gas solve [n x 3, N]
     ParticleCoupling* coupling;

@@ -102,6 +102,9 @@ class Snapshots(Sequence):
     def __len__(self):
         return len(self._found)
 
+    def __iter__(self):
+        return iter(self._found)  # Sequence's own would ask for the first where there is none
+
     def __getitem__(self, which):
         if not self._found and not isinstance(which, slice):
             raise InputError(f"{self._path}: no snapshots so far; snapshotInterval of records in couplingDict asks for them")

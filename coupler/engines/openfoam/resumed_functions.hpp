@@ -13,8 +13,8 @@ namespace interphase {
 /// files, in folders of postProcessing/ with that time. They were executed at that time before, and are due again when
 /// they would have been in a run that was not stopped.
 
-/// After the clock is set, once: OpenFOAM takes this step for the one at which the run starts, and writes fields from here
-/// on as writeControl and writeInterval are now.
+/// After the clock is set, once: OpenFOAM takes this step for the one at which the run starts, and writes fields from
+/// here on as writeControl and writeInterval are now.
 void start_here(Foam::Time& time);
 
 /// In the first call of Foam::Time::run(): makes them.
