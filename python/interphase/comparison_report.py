@@ -145,7 +145,8 @@ def _statistics(report):
 def _because(row):
     apart = ""
     if row["ranges_apart"]:
-        apart = f"ranges apart, by chance in one flow: {row['chance_in_one_flow']:.2g}"
+        chance = row["chance_in_one_flow"]
+        apart = "ranges apart, " + (f"by chance in one flow: {chance:.2g}" if chance < 1 else "too short to say how likely in one flow")
     words = "; ".join(each for each in (apart, row["reason"]) if each)
     return f" ({words})" if words else ""
 

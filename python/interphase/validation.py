@@ -19,6 +19,7 @@ from interphase.run_records import find_run
 from interphase.tree import REPOSITORY, TOOLS
 
 BUILD = os.path.join(REPOSITORY, "build", "release")
+PROGRAMS = ("liggghts", "interphase-liggghts", "interphase")
 DUMP, SCRIPT = "interphase_validate.dump", "interphase_validate.liggghts"
 COLUMNS = "id type x y z vx vy vz omegax omegay omegaz fx fy fz radius"
 SOLID_STEPS_IN_GAS_STEP = 200  # at most: so often the coupler stops and goes on
@@ -210,7 +211,8 @@ def _native(scene, folder, ranks, lines):
             program += ["-plugin", foam_file.unquoted(name)]
     else:
         program = ["liggghts"]
-    command = [*program, "-in", SCRIPT, "-echo", "both"]
+    # Line by line: an abort of MPI loses what LIGGGHTS said last, the reason.
+    command = ["stdbuf", "-oL", *program, "-in", SCRIPT, "-echo", "both"]
     for name, value in {"weight": f"{scene.weight:.17g}", **scene.variables}.items():
         command += ["-var", name, value]  # one word, as the coupler hands it over
     if ranks > 1:
@@ -232,18 +234,21 @@ def _coupler(folder, ranks):
 
 
 def _run(command, folder, log):
-    if shutil.which(command[0]) is None:
-        raise InputError(f"{command[0]}: no such program; tools/setup installs it")
+    for program in (command[0], "liggghts"):
+        if shutil.which(program) is None:
+            raise InputError(f"{program}: no such program; tools/setup installs it")
     path = os.path.join(folder, log)
     with open(path, "wb") as stream:
         done = subprocess.run(command, cwd=folder, env={**os.environ, **launch.additions(os.environ)}, stdin=subprocess.DEVNULL,
                               stdout=stream, stderr=subprocess.STDOUT)
     with open(path, encoding="utf-8", errors="replace") as stream:
         text = stream.read()
-    # LIGGGHTS leaves with 1 for its errors, but with 0 for some on several ranks.
-    if done.returncode != 0 or re.search(r"^ERROR", text, re.M):
-        raise InputError(f"{os.path.basename(command[0])} failed {launch.how_it_ended(done.returncode)} in {folder}. "
-                         f"The end of {log}:\n{launch.last_lines(path)}")
+    name = next(os.path.basename(word) for word in command if os.path.basename(word) in PROGRAMS)
+    said = re.findall(r"^ERROR.*", text, re.M)
+    if done.returncode != 0 or said:  # LIGGGHTS leaves with 0 after some errors on several ranks
+        # What MPI says of an end comes after what LIGGGHTS said.
+        raise InputError(f"{name} failed {launch.how_it_ended(done.returncode)} in {folder}. "
+                         + "".join(f"{line}\n" for line in said[:3]) + f"The end of {log}:\n{launch.last_lines(path)}")
     return text
 
 

@@ -141,6 +141,7 @@ class Validate(support.ProgramTest):
             (HEAD + BED, "no `run` in it"),
             (HEAD + BED + "label again\nvariable a loop 3\nrun 10\nnext a\njump SELF again\n", "stands in a loop"),
             (HEAD + BED + "run 100 upto\n", "`run N` alone"),
+            (HEAD + BED + "include no_such_file\nrun 100\n", "no_such_file"),
             (HEAD + BED + "fix wrong all no/such/style\nrun 100\n", "no/such/style"),
             ("variable weight index 8\n" + HEAD + BED + "run 10\n", "--weight W"),
         ):
