@@ -58,6 +58,16 @@ class Case:
         return case_folder.checked_weight(self._dictionaries.value(COUPLING, "weight", "1"))
 
     @property
+    def settings(self):
+        """{name: text} of the entries that `set` has changed, `method` and `weight` apart."""
+        return dict(self._settings)
+
+    @property
+    def end_time(self):
+        """The simulated time that a run ends at where it is not told otherwise, s; None where the case does not say it as a number."""
+        return case_folder.end_time(self._dictionaries)
+
+    @property
     def parameters(self):
         """{name: number, word or tuple} of the case's `parameters`, as changed."""
         if not self._dictionaries.has(PARAMETERS):

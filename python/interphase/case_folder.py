@@ -198,6 +198,14 @@ def checked_weight(text):
     return weight
 
 
+def end_time(case):
+    """endTime of controlDict [s]; None where it is no number."""
+    try:
+        return float(case.value(CONTROL, "endTime"))
+    except (TypeError, ValueError):
+        return None
+
+
 def set_method_and_weight(case, method=None, weight=None):
     """Write what the user chose into the case; returns (method, weight as a number), which agree.
 
