@@ -81,7 +81,7 @@ def draw(path, result, title):
         axes.set_visible(False)
     handles = [plt.Line2D([], [], color=_colour(at), marker=_marker(at), markersize=4, linewidth=1.2) for at in range(len(lines))]
     handles += [plt.Line2D([], [], color=INK, marker="X", markersize=5, linestyle="none")] * missing
-    figure.suptitle(title, x=0.01, ha="left", y=1 - 0.06 / high, va="top", fontsize=9)
+    figure.text(0.01, 1 - 0.06 / high, title, ha="left", va="top", fontsize=9)
     figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0, 1 - 0.25 / high), ncol=across, frameon=False, fontsize=8)
     figure.tight_layout(rect=(0, 0, 1, 1 - above / high))
     figure.savefig(path, dpi=160)

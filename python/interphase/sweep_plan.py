@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The runs of a sweep: every combination of the values that are asked for, each with a name of its own."""
 
+import dataclasses
 import fnmatch
 import hashlib
 import itertools
+import json
 import os
 import re
 from dataclasses import dataclass, field
 
+from interphase import run_state
 from interphase.case import Case
 from interphase.case_folder import LEFT_BY_A_RUN
 from interphase.input_error import InputError
@@ -17,7 +20,7 @@ SEED = "seed"
 
 @dataclass(frozen=True)
 class Point:
-    """One run: the folder's `name`, the `Case` as it is set, its end `until` [s]; `values` {name: text} of what is swept, the seed
+    """One run: its folder's `name`, the `Case` as it is set, its end `until` [s]; `values` {name: text} of what is swept, the seed
     (a whole number, or None) apart."""
 
     name: str
@@ -27,9 +30,24 @@ class Point:
     seed: int = None
 
     @property
+    def identity(self):
+        """What is the same in all parts of this run, and in no other one."""
+        return identity(self.case.method, self.case.weight, (f"{name}={text}" for name, text in self.case.settings.items()))
+
+    @property
+    def key(self):
+        """A few digits that stand for the identity."""
+        return hashlib.sha256(self.identity.encode()).hexdigest()[:8]
+
+    @property
     def group(self):
         """What runs that differ by their seed alone have in common."""
         return (*self.values.items(), ("method", self.case.method), ("weight", self.case.weight))
+
+
+def identity(method, weight, settings):
+    """Of a run with the `settings` ["NAME=VALUE", ...], a text."""
+    return json.dumps([method, float(weight), sorted(settings)])
 
 
 def listed(text):
@@ -95,13 +113,31 @@ def plan(case, sets, methods=None, weights=None, seeds=None, until=None):
             end = changed.end_time if until is None else until
             if end is None:
                 raise InputError(f"{base.path}: endTime of system/controlDict is no number; give --until T")
-            parts = [f"{name}-{chosen[name]}" for name in sets] + [f"{changed.method}-w{changed.weight:g}"]
+            parts = [f"{name}-{chosen[name]}" for name in swept] + [f"{changed.method}-w{changed.weight:g}"]
             parts += [] if seed is None else [f"seed-{seed}"]
             points.append(Point(folder_name(parts), changed, end, {name: chosen[name] for name in swept}, seed))
-    names = [point.name for point in points]
-    if len(set(names)) < len(names):
-        raise InputError(f"--method or --weight name {next(name for name in names if names.count(name) > 1)} twice; each is run once")
+    identities = [point.identity for point in points]
+    if len(set(identities)) < len(identities):
+        raise InputError(f"two of the runs are the same one: {next(each for each in identities if identities.count(each) > 1)}")
     return points
+
+
+def placed(points, folder):
+    """The `points` with the names of the folders below `folder` where their runs are, or will be: one that has fixed values or other lists
+    in an earlier call is found again."""
+    there = {}
+    for name in sorted(os.listdir(folder)) if os.path.isdir(folder) else []:
+        record = run_state.record(os.path.join(folder, name)) if os.path.isdir(os.path.join(folder, name)) else {}
+        if "method" in record:
+            there[identity(record["method"], record["weight"], record.get("settings") or [])] = name
+    taken, found = set(there.values()), []
+    for point in points:
+        name = there.get(point.identity)
+        if name is None:
+            name = f"{point.name}_{point.key}" if point.name in taken else point.name
+            taken.add(name)
+        found.append(dataclasses.replace(point, name=name))
+    return found
 
 
 def _check_seed(base, sets):
@@ -116,10 +152,8 @@ def _check_seed(base, sets):
 
 
 def folder_name(parts):
-    """A name that OpenFOAM bears in a path; what it does not is replaced, with a few digits that keep two names apart."""
-    whole = "_".join(parts)
-    plain = "_".join(re.sub(r"[^A-Za-z0-9.+_-]+", "-", re.sub(r"[()\"]", "", part.rpartition(":")[2])) for part in parts)[:180]
-    return plain if plain == whole else f"{plain}_{hashlib.sha256(whole.encode()).hexdigest()[:6]}"
+    """A name that OpenFOAM bears in a path."""
+    return "_".join(re.sub(r"[^A-Za-z0-9.+_-]+", "-", re.sub(r'[()"]', "", part.rpartition(":")[2])) for part in parts)[:180]
 
 
 def digest(case):

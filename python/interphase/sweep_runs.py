@@ -73,15 +73,10 @@ class Sweep:
         """How a point stands before anything is run."""
         folder = self.path(point)
         if not os.path.isdir(folder) or not os.listdir(folder):
-            return HOLE if point.name in self.notes.holes and not retry else NEW
+            return HOLE if point.key in self.notes.holes and not retry else NEW
         record = run_state.record(folder)
-        if not record:
+        if "method" not in record:
             raise InputError(f"{folder} holds files that are no run of tools/run: they stay; give another folder by --out DIR")
-        asked = {"method": point.case.method, "weight": point.case.weight,
-                 "settings": sorted(f"{name}={text}" for name, text in point.case.settings.items())}  # fmt: skip
-        there = {**{name: record.get(name) for name in asked}, "settings": sorted(record.get("settings") or [])}
-        if there != asked:
-            raise InputError(f"{folder} holds a run of {there}, not of {asked}; give another folder by --out DIR")
         state = Run(folder).state
         if state == run_state.UNKNOWN:
             raise InputError(f"{folder}: its run goes, or went, on another machine ({record.get('process', {}).get('host')}); end it there, or remove it")
@@ -89,10 +84,10 @@ class Sweep:
             return RUNNING
         if state == run_state.ENDED:
             return self._ended(point, folder)
-        if point.name in self.notes.holes and not retry:
+        if point.key in self.notes.holes and not retry:
             return HOLE
         if state == run_state.FAILED and not retry:
-            self.notes.holes[point.name] = cause(folder)
+            self.notes.holes[point.key] = cause(folder)
             return HOLE
         # An error of the run itself would come again; a full disk or a kill would not.
         return GO_ON if has_checkpoint(folder) and (state != run_state.FAILED or record["exit_code"] in (6, 137)) else NEW
@@ -157,7 +152,7 @@ class Sweep:
 
     def _start(self, point):
         folder, go_on = self.path(point), self.stand[point.name] == GO_ON
-        self.notes.holes.pop(point.name, None)
+        self.notes.holes.pop(point.key, None)
         self.notes.write()
         try:
             if go_on:
@@ -189,6 +184,7 @@ class Sweep:
                 self._hole(point, str(error))
             else:
                 self.stand[point.name] = NEW
+                self.say(f"stopped  {point.name}  before its start")
             return
         state = run.state
         if state == run_state.ENDED:
@@ -201,11 +197,11 @@ class Sweep:
             self._hole(point, cause(run.path) or told.getvalue().strip() or f"its run was {state} from elsewhere")
         else:
             self.stand[point.name] = GO_ON if has_checkpoint(run.path) else NEW
-            self.say(f"stopped  {point.name}  at t = {reached(run.path):.4g} s")
+            self.say(f"stopped  {point.name}" + ("" if self.stand[point.name] == GO_ON else "  before its first checkpoint: it will begin anew"))
 
     def _hole(self, point, why):
         self.stand[point.name] = HOLE
-        self.notes.holes[point.name] = why
+        self.notes.holes[point.key] = why
         self.notes.write()
         self.say(f"failed   {point.name}: {short(why)}")
 
@@ -246,32 +242,27 @@ def has_checkpoint(folder):
     return os.path.isdir(checkpoints) and any(not name.startswith(".") for name in os.listdir(checkpoints))
 
 
-def newest_log(folder):
-    """The path of the log of a run's last part; None where there is none."""
-    logs = [os.path.join(folder, name) for name in os.listdir(folder) if re.fullmatch(r"log\.interphase(-\d+)?", name)]
-    return max(logs, key=lambda path: int((re.search(r"-(\d+)$", path) or [0, 1])[1]), default=None)
+def logs(folder):
+    """The paths of the logs of a run's parts, the last one first."""
+    names = [name for name in os.listdir(folder) if re.fullmatch(r"log\.interphase(-\d+)?", name)] if os.path.isdir(folder) else []
+    return [os.path.join(folder, name) for name in sorted(names, key=lambda name: int(name.rpartition("-")[2]) if "-" in name else 1, reverse=True)]
 
 
 def reached(folder):
     """The simulated time that a run has told last, s; 0 where it has not."""
-    if not os.path.isdir(folder):
-        return 0.0
-    log = newest_log(folder)
-    if log is None:
-        return 0.0
-    with open(log, "rb") as stream:
-        stream.seek(0, os.SEEK_END)
-        stream.seek(max(0, stream.tell() - 20000))
-        times = re.findall(r"^t = (\S+) +s ", stream.read().decode("utf-8", "replace"), re.M)
-    try:
-        return float(times[-1]) if times else 0.0
-    except ValueError:
-        return 0.0
+    for log in logs(folder):
+        with open(log, "rb") as stream:
+            stream.seek(0, os.SEEK_END)
+            stream.seek(max(0, stream.tell() - 20000))
+            times = re.findall(r"^t = ([\d.e+-]+) +s ", stream.read().decode("utf-8", "replace"), re.M)
+        if times:
+            return float(times[-1])
+    return 0.0
 
 
 def cause(folder):
     """What a run in `folder` told of its failure, or nothing."""
-    log = newest_log(folder)
+    log = next(iter(logs(folder)), None)
     words = "\n".join(ending.cause(log)) if log else ""
     code = run_state.record(folder).get("exit_code")
     return words or (f"interphase stopped {ending.kind(code)}; see {log}" if code else "")

@@ -102,7 +102,7 @@ def measure(sweep, after=None, quantities=None):
     not."""
     from interphase.run import Run
     from interphase.sweep_runs import DONE
-    rows, remarks, builds = {}, [], {}
+    rows, remarks, builds, same, twice = {}, [], {}, [], []
     for point in sweep.points:
         row = rows.setdefault(point.group, (Row(point.values, point.case.method, point.case.weight, 0), []))
         row[0].asked += 1
@@ -119,11 +119,13 @@ def measure(sweep, after=None, quantities=None):
             if record not in different:
                 different[record] = point, means
             if before[0] is not point:
-                remarks.append(f"{point.name} recorded the same as {before[0].name} to the last bit: what tells them apart changed nothing"
-                               + "; counted once" * (before[1] is row))
+                (twice if before[1] is row else same).append(
+                    f"{point.name} recorded the same as {before[0].name} to the last bit: what tells them apart changed nothing")
         row.runs = len(different)
         names = dict.fromkeys(name for _, means in different.values() for name in means)
         row.cells = {name: _cell(name, [means[name] for _, means in different.values() if name in means]) for name in names}
+    for several, closing in ((same, ""), (twice, "; counted once")):
+        remarks += [several[0] + closing + (f" (and {len(several) - 1} more pairs)" if len(several) > 1 else "")] if several else []
     if len(builds) > 1:
         remarks.append("the runs are of different builds of the program: " + "; ".join(
             f"{build}: {len(names)} runs, {names[0]} first" for build, names in builds.items()))

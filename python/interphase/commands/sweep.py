@@ -68,6 +68,14 @@ def arguments():
     return given
 
 
+def say(text):
+    """On standard output, as long as somebody reads it."""
+    try:
+        print(text, flush=True)
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
 def jobs_of(given):
     cores = launch.cores()
     most = cores // given.ranks
@@ -95,19 +103,19 @@ def report(sweep, given, name):
     table = module("sweep_table")
     result = table.measure(sweep, given.after, given.quantity and sweep_plan.listed(given.quantity))
     part = "the later half of each run" if given.after is None else f"t >= {given.after:g} s"
-    print(f"\n{name}, means over {part} +- standard error\n")
-    print("\n".join(table.lines(result, shutil.get_terminal_size((150, 24)).columns)))
+    say(f"\n{name}, means over {part} +- standard error\n")
+    say("\n".join(table.lines(result, shutil.get_terminal_size((150, 24)).columns)))
     for remark in result.remarks:
-        print(f"? {remark}")
+        say(f"? {remark}")
     for point in sweep.points:
         if sweep.stand[point.name] == HOLE:
-            print(f"failed: {point.name}: {sweep_runs.short(sweep.notes.holes[point.name])}")
+            say(f"failed: {point.name}: {sweep_runs.short(sweep.notes.holes[point.key])}")
     written = [os.path.join(sweep.folder, "sweep.csv")]
     table.write_csv(written[0], result, given.after)
     if result.quantities:
         written.append(os.path.join(sweep.folder, "sweep.png"))
         module("sweep_figure").draw(written[1], result, f"{name}, {part}, bars: one standard error")
-    print("\n" + "  ".join(written))
+    say("\n" + "  ".join(written))
 
 
 def main():
@@ -120,16 +128,15 @@ def main():
     jobs = jobs_of(given)
     name = os.path.basename(case)
     folder = os.path.abspath(given.out or os.path.join(REPOSITORY, "runs", f"sweep-{name}"))
-    for point in points:
-        tools_run.check_folder(os.path.join(folder, point.name), case, overwrite=True) if not os.path.isdir(os.path.join(folder, point.name)) else None
+    tools_run.check_folder(os.path.join(folder, points[0].name), case, overwrite=True)
     digest = sweep_plan.digest(case)
     os.makedirs(folder, exist_ok=True)
     with locked(folder):
-        sweep = sweep_runs.Sweep(points, folder, sweep_runs.Notes(folder, case, digest), given.ranks, jobs, given.retry,
-                                 lambda text: print(text, flush=True))  # fmt: skip
+        points = sweep_plan.placed(points, folder)
+        sweep = sweep_runs.Sweep(points, folder, sweep_runs.Notes(folder, case, digest), given.ranks, jobs, given.retry, say)
         sweep.notes.write()
         counts = ", ".join(f"{sweep.count(stand)} {stand}" for stand in (DONE, RUNNING, GO_ON, NEW, HOLE) if sweep.count(stand))
-        print(f"{len(points)} runs of {name} in {folder}: {counts}; {jobs} at a time", flush=True)
+        say(f"{len(points)} runs of {name} in {folder}: {counts}; {jobs} at a time")
         whole = True
         if sweep.count(NEW, GO_ON, RUNNING):
             os.environ["INTERPHASE_BIN"] = tools_run.program(quiet=False)  # once, before several at a time would
