@@ -7,6 +7,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the back end is chosen first)
+from matplotlib.transforms import offset_copy  # noqa: E402
 
 from interphase.report_figure import COLOURS, INK, MARKERS  # noqa: E402
 
@@ -99,7 +100,8 @@ def _marker(at):
 def _line(axes, at, count, line, quantity, categories):
     """Mean and standard error along one line, broken where there is no run."""
     def place(position):
-        return categories.index(position) + 0.08 * (at - (count - 1) / 2) if categories else position
+        return categories.index(position) if categories else position
+    aside = offset_copy(axes.transData, fig=axes.figure, x=3 * (at - (count - 1) / 2), units="points")  # bars do not hide each other
     xs, ys = [], []
     for position, row in sorted(line, key=lambda each: place(each[0])):
         cell, x = row.cells.get(quantity), place(position)
@@ -111,5 +113,5 @@ def _line(axes, at, count, line, quantity, categories):
             continue
         error = None if math.isnan(cell.error) else cell.error
         axes.errorbar([x], [cell.mean], yerr=error, color=_colour(at), marker=_marker(at), markersize=4, linestyle="none", capsize=2,
-                      elinewidth=0.9, markerfacecolor=_colour(at) if row.runs == row.asked else "white")  # fmt: skip
-    axes.plot(xs, ys, color=_colour(at), linewidth=0 if categories else 1.2)
+                      transform=aside, elinewidth=0.9, markerfacecolor=_colour(at) if row.runs == row.asked else "white")  # fmt: skip
+    axes.plot(xs, ys, color=_colour(at), linewidth=0 if categories else 1.2, transform=aside)

@@ -79,7 +79,8 @@ class Sweep:
             raise InputError(f"{folder} holds files that are no run of tools/run: they stay; give another folder by --out DIR")
         state = Run(folder).state
         if state == run_state.UNKNOWN:
-            raise InputError(f"{folder}: its run goes, or went, on another machine ({record.get('process', {}).get('host')}); end it there, or remove it")
+            host = record.get("process", {}).get("host")
+            raise InputError(f"{folder}: its run goes, or went, on another machine ({host}); end it there, or remove it")
         if state == run_state.RUNNING:
             return RUNNING
         if state == run_state.ENDED:
@@ -97,8 +98,8 @@ class Sweep:
         if end is None or abs(end - point.until) <= SAME_TIME * point.until:
             return DONE
         if end > point.until:
-            raise InputError(f"{folder} has a run to t = {end:g} s, longer than the {point.until:g} s of this sweep: give --until {end:g}, or another folder by "
-                             "--out DIR")  # fmt: skip
+            raise InputError(f"{folder} has a run to t = {end:g} s, longer than the {point.until:g} s of this sweep: give --until {end:g}, "
+                             "or another folder by --out DIR")  # fmt: skip
         return GO_ON if has_checkpoint(folder) else NEW
 
     def count(self, *which):
@@ -229,8 +230,8 @@ class Sweep:
                 left, longest = left + rest, max(longest, rest)
         eta = duration(max(left / self.jobs, longest)) if known else "?"
         failed = f", {self.count(HOLE)} failed" if self.count(HOLE) else ""
-        return (f"{self.count(DONE)} of {len(self.points)} runs ended, {len(self._running)} running{failed}   {100 * done / len(self.points):3.0f} %  "
-                f"ETA {eta}")
+        return (f"{self.count(DONE)} of {len(self.points)} runs ended, {len(self._running)} running{failed}   "
+                f"{100 * done / len(self.points):3.0f} %  ETA {eta}")
 
 
 def pace_of(point):

@@ -25,12 +25,13 @@ EXAMPLES = """examples:
 
 --set is that of tools/run, with a list of values; one value is the same for all runs. A list of OpenFOAM, (15 1 45), is one value.
 
---seeds N makes N runs of each combination, with `seed` 1 ... N in the case's `parameters`, from which its `prepare` draws the places of the particles at
-the start. A case without that entry is refused: its runs would be one run. Two runs that are equal to the last bit count once.
+--seeds N makes N runs of each combination, with `seed` 1 ... N in the case's `parameters`, from which its `prepare` draws the
+places of the particles at the start. A case without that entry is refused: its runs would be one run. Two runs that are equal
+to the last bit count once.
 
-The mean is that over the rows of /series from --after on, and over the runs of different seeds. Its standard error is the larger one of two: by the scatter
-of the runs' means, and by each run's own error, autocorrelation taken in. `?` says that the error is not to be trusted; the reasons follow the table.
-Quantities that are constant in all runs are in sweep.csv only.
+The mean is that over the rows of /series from --after on, and over the runs of different seeds. Its standard error is the
+larger one of two: by the scatter of the runs' means, and by each run's own error, autocorrelation taken in. `?` says that the
+error is not to be trusted; the reasons follow the table. Quantities that are constant in all runs are in sweep.csv only.
 
 A run that fails is a hole in table and figure, told with its cause; the others go on. It is tried again with --retry: from its last
 checkpoint where the disk was full or it was killed, else from the start.
@@ -112,9 +113,12 @@ def report(sweep, given, name):
             say(f"failed: {point.name}: {sweep_runs.short(sweep.notes.holes[point.key])}")
     written = [os.path.join(sweep.folder, "sweep.csv")]
     table.write_csv(written[0], result, given.after)
+    picture = os.path.join(sweep.folder, "sweep.png")
     if result.quantities:
-        written.append(os.path.join(sweep.folder, "sweep.png"))
-        module("sweep_figure").draw(written[1], result, f"{name}, {part}, bars: one standard error")
+        written.append(picture)
+        module("sweep_figure").draw(picture, result, f"{name}, {part}, bars: one standard error")
+    elif os.path.exists(picture):
+        os.remove(picture)  # it shows what an earlier call was asked for
     say("\n" + "  ".join(written))
 
 
