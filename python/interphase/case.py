@@ -25,9 +25,9 @@ class Case:
     def set(self, entries=None, **of_parameters):
         """Another Case, with entries changed; this one stays as it is.
 
-        Keywords are entries of the case's `parameters`, in its units, and `method` and `weight`; `entries` those of other files,
-        {"system/couplingDict:drag/law": "Gidaspow"}. Values are numbers, words, truth values, or lists of them. InputError with the nearest
-        name for an entry that the case does not have.
+        Keywords are entries of the case's `parameters`, in its units, and `method` and `weight`; `entries` also those of the coupling and of
+        other files, {"mapping/width": 0.01, "system/fvSolution:PIMPLE/nCorrectors": 3}. Values are numbers, words, truth values, or lists of
+        them. An entry of the coupling that the case does not mention is added; InputError with the nearest name for any other.
         """
         changed = copy.copy(self)
         changed._dictionaries, changed._settings = case_folder.Dictionaries(self.path), {}
@@ -35,14 +35,13 @@ class Case:
         changed._settings.update(self._settings)
         for name, value in {**(entries or {}), **of_parameters}.items():
             text = as_written(value)
-            file, colon, entry = name.partition(":")
             if name == "method":
                 changed._method = case_folder.checked_method(text)
             elif name == "weight":
                 case_folder.checked_weight(text)
                 changed._weight = text
             else:
-                changed._dictionaries.set(*((os.path.normpath(file), entry) if colon else (PARAMETERS, name)), text)
+                changed._dictionaries.set(*changed._dictionaries.place_of(name), text)
                 changed._settings[name] = text
         if changed._method or changed._weight:
             case_folder.set_method_and_weight(changed._dictionaries, changed._method, changed._weight)
@@ -57,6 +56,16 @@ class Case:
     def weight(self):
         """Real particles per tracked one."""
         return case_folder.checked_weight(self._dictionaries.value(COUPLING, "weight", "1"))
+
+    @property
+    def settings(self):
+        """{name: text} of the entries that `set` has changed, `method` and `weight` apart."""
+        return dict(self._settings)
+
+    @property
+    def end_time(self):
+        """The simulated time that a run ends at where it is not told otherwise, s; None where the case does not say it as a number."""
+        return case_folder.end_time(self._dictionaries)
 
     @property
     def parameters(self):

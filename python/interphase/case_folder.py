@@ -7,7 +7,7 @@ import re
 import shutil
 import stat
 
-from interphase import foam_file
+from interphase import foam_file, known_keys
 from interphase.foam_file import FoamFileError, nearest
 from interphase.input_error import InputError
 
@@ -130,9 +130,37 @@ class Dictionaries:
         return source[0], function, source[1]
 
     def set(self, file, path, value):
-        """Replace the value written at `path` of `file`."""
-        self._texts[file] = self._in_file(file, foam_file.replaced, path, value)
+        """Replace the value written at `path` of `file`. What couplingDict does not mention and the program knows is added; InputError with
+        the nearest names for everything else."""
+        change = foam_file.replaced
+        if file == COUPLING and not self._mentions(file, path):
+            if path not in known_keys.of_coupling():
+                self._refuse_unknown(file, path)
+            change = foam_file.added
+        self._texts[file] = self._in_file(file, change, path, value)
         self._changed.add(file)
+
+    def _mentions(self, file, path):
+        return self.has(file) and self._in_file(file, foam_file.holds, path)
+
+    def _refuse_unknown(self, file, path):
+        """Of couplingDict, where the names of the program are as good as those of the case."""
+        guess = nearest(path, [*known_keys.of_coupling(), *self._in_file(file, foam_file.paths)])
+        raise InputError(f"{os.path.join(os.path.relpath(self.folder), file)}: no entry '{path}', and none that the program knows: {guess}")
+
+    def place_of(self, name):
+        """(file, path) of `FILE:ENTRY`, or of `ENTRY`: one of `parameters`, or else one of couplingDict that the program knows."""
+        file, colon, entry = name.partition(":")
+        if colon:
+            return os.path.normpath(file), entry
+        if self._mentions(PARAMETERS, name):
+            return PARAMETERS, name
+        known = known_keys.of_coupling()
+        if name in known or ("/" in name and self._mentions(COUPLING, name)):
+            return COUPLING, name
+        if "/" in name:
+            self._refuse_unknown(COUPLING, name)
+        return PARAMETERS, name
 
     def set_at_source(self, file, path, value):
         """Replace the value at `path`; where it is `$name`, the one in `parameters`, for all who use it."""
@@ -168,6 +196,14 @@ def checked_weight(text):
     if not 1 <= weight < float("inf"):
         raise InputError(f"weight {text}: a tracked sphere stands for at least 1 real particle, give W >= 1")
     return weight
+
+
+def end_time(case):
+    """endTime of controlDict [s]; None where it is no number."""
+    try:
+        return float(case.value(CONTROL, "endTime"))
+    except (TypeError, ValueError):
+        return None
 
 
 def set_method_and_weight(case, method=None, weight=None):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Read and replace single entries of a file in OpenFOAM syntax, leaving every other byte as it is.
+"""Read, replace and add single entries of a file in OpenFOAM syntax, leaving every other byte as it is.
 
 OpenFOAM's own `foamDictionary` rewrites the whole file: comments and layout go, `$macros` and
 `#include` are expanded. A run's copy of a case should still look like the case, so entries are
@@ -13,6 +13,7 @@ Macros are not expanded and included files are not followed.
 import difflib
 import re
 from dataclasses import dataclass, field
+from typing import Optional
 
 from interphase.input_error import InputError
 
@@ -43,10 +44,11 @@ class Entry:
 
 @dataclass
 class Dictionary:
-    """A `key { ... }` entry, or the file itself (key empty)."""
+    """A `key { ... }` entry, or the file itself (key empty). `close` is the place of its closing brace; None of the file."""
 
     key: str
     entries: list = field(default_factory=list)
+    close: Optional[int] = None
 
     def names(self):
         """Keys in the order of the file, each once."""
@@ -166,6 +168,7 @@ class _Reader:
                 if opening is None:
                     raise FoamFileError(f"{self.where(token)}: '}}' closes nothing")
                 self.at += 1
+                result.close = token.start
                 return result
             if token.text == ";":
                 self.at += 1
@@ -302,6 +305,22 @@ def find(text, path):
     return found[0]
 
 
+def holds(text, path):
+    """Whether there is an entry or a dictionary at `path`."""
+    return bool(_find_all(parse(text), split_path(path)))
+
+
+def paths(text):
+    """The paths of all values, nested by `/`, in the order of the text; macros and included files apart."""
+    def below(dictionary, above):
+        for entry in dictionary.entries:
+            if isinstance(entry, Dictionary):
+                yield from below(entry, f"{above}{entry.key}/")
+            elif not entry.key.startswith("$"):
+                yield above + entry.key
+    return list(dict.fromkeys(below(parse(text), "")))
+
+
 def value(text, path, default=None):
     """The value at `path` as it is written, or `default` where there is none."""
     found = _find_all(parse(text), split_path(path))
@@ -328,3 +347,27 @@ def replaced(text, path, new_value):
     check_value(new_value)
     gap = " " if entry.start == entry.end else ""
     return text[: entry.start] + gap + new_value.strip() + text[entry.end :]
+
+
+def added(text, path, new_value):
+    """`text` with an entry at `path` that is not there yet, behind those that are, in the dictionaries that are there and new ones
+    where there are none; comments and layout stay."""
+    check_value(new_value)
+    level, parts = parse(text), split_path(path)
+    if _find_all(level, parts):
+        raise FoamFileError(f"'{path}' is there already")
+    depth = 0
+    while depth < len(parts) - 1 and (found := level.all_named(parts[depth])):
+        if not isinstance(found[0], Dictionary):
+            raise FoamFileError(_explain_missing(level, parts[depth:]))
+        level, depth = found[0], depth + 1
+    new = f"{parts[-1]} {new_value.strip()};"
+    for name in reversed(parts[depth:-1]):
+        new = f"{name} {{ {new} }}"
+    if level.close is None:
+        return text + ("" if text.endswith("\n") or not text else "\n") + new + "\n"
+    line = text.rfind("\n", 0, level.close) + 1
+    if text[line : level.close].strip():  # the dictionary closes on the line of its last entry
+        gap = "" if text[level.close - 1].isspace() else " "
+        return text[: level.close] + gap + new + " " + text[level.close :]
+    return text[:line] + text[line : level.close] + "    " + new + "\n" + text[line:]

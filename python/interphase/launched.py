@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """tools/run started from Python."""
 
+import contextlib
 import os
 import signal
 import subprocess
@@ -40,6 +41,11 @@ class Launched:
                 return
             time.sleep(0.02)
         self.wait()
+
+    def stop(self):
+        """The run ends after the gas step in progress; one that is still prepared, at once with the step that prepares it."""
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(self._child.pid, signal.SIGTERM)  # the program itself has another group: tools/run passes it on
 
     def wait(self):
         """Returns when the run has ended, whichever way: what tools/run said of it is on standard error then. InputError with its words where it

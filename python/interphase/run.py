@@ -114,7 +114,7 @@ class Run:
         process = run_state.process_of(self.record)
         if process is None:
             raise InputError(f"{self.path}: the run is not running here ({self.state}): there is nothing to stop")
-        os.kill(process, signal.SIGTERM)
+        self._launched.stop() if self._launched is not None else os.kill(process, signal.SIGTERM)
         return self.wait() if wait else self
 
     def resume(self, until=None, ranks=None, wall_limit=None, picture=False, quiet=True, wait=True):

@@ -137,6 +137,17 @@ class Refusals(Bench):
     def test_an_unknown_parameter_far_from_all_lists_them(self):
         self.assertIn("valid names: method, weight, velocity", self.refused("bed", "--set", "zzzz=3"))
 
+    def test_an_unknown_key_of_the_coupling_gets_the_nearest_that_the_program_knows(self):
+        for name in ("mapping/widht", "system/couplingDict:mapping/widht"):
+            with self.subTest(name):
+                message = self.refused("bed", "--set", name + "=0.01")
+                self.assertIn("did you mean 'mapping/width'", message)
+                self.assertIn("bed/system/couplingDict", message)
+        self.assertIn("did you mean 'particles/variables/diameter'", self.refused("bed", "--set", "particles/variables/diamter=1"))
+
+    def test_only_the_coupling_gets_entries_that_a_case_does_not_mention(self):
+        self.assertIn("no entry 'maxCo'", self.refused("bed", "--set", "system/controlDict:maxCo=0.5"))
+
     def test_an_unknown_file_gets_the_nearest_name(self):
         message = self.refused("bed", "--set", "system/controldict:writeInterval=1")
         self.assertIn("did you mean 'system/controlDict'", message)
@@ -258,6 +269,18 @@ class Settings(Bench):
         self.assertEqual(read(self.out, "system/couplingDict"), COUPLING.replace("law BVK", "law Gidaspow"))
         self.assertEqual(read(self.out, "system/controlDict"), CONTROL.replace("(p U)", "(U)"))
         self.assertEqual(read(self.case, "parameters"), PARAMETERS, "the case itself stays as it is")
+
+    def test_what_the_program_knows_and_the_case_does_not_mention_is_added(self):
+        self.succeed("bed", "--set", "mapping/width=0.01", "--set", "drag/selfDisturbance=left", "--set", "system/couplingDict:mapping/type=kernel",
+                     "--set", "drag/law=Ergun")
+        self.assertEqual(read(self.out, "system/couplingDict"),
+                         COUPLING.replace("law BVK; }", "law Ergun; selfDisturbance left; }") + "mapping { width 0.01; type kernel; }\n")
+        self.assertEqual(read(self.out, "parameters"), PARAMETERS)
+
+    def test_a_weight_that_the_case_does_not_mention_is_added(self):
+        write(os.path.join(self.case, "system/couplingDict"), COUPLING.replace("weight      ${weight};\n", ""))
+        self.succeed("bed", "--weight", "27")
+        self.assertEqual(foam_file.value(read(self.out, "system/couplingDict"), "weight"), "27")
 
     def test_method_dem_alone_says_weight_one(self):
         self.succeed("bed", "--method", "dem")

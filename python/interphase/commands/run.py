@@ -25,11 +25,13 @@ EXAMPLES = """examples:
   tools/run cases/sscp1
   tools/run cases/sscp1 --method DEM --ranks 2 --until 0.5 --set inletVelocity=3.28
   tools/run cases/sscp1 --set system/couplingDict:drag/law=Gidaspow --out runs/gidaspow
+  tools/run cases/sscp1 --set mapping/width=0.02 --set 'forces=(virtualMass)'
   tools/run cases/sscp1 --out runs/gidaspow --resume --until 2
   tools/run cases/sscp1 --method CGHS --weight 8 --from runs/sscp1-CGPM-w8@0.7 --set inletVelocity=3.28
 
---set names an entry of the case's file `parameters`, or FILE:ENTRY of any other file in OpenFOAM syntax, nested
-by '/'. Entries are replaced, never added: what a case does not mention, add to its file first.
+--set names an entry of the case's file `parameters`, one of system/couplingDict (mapping/width), or FILE:ENTRY of any other file in
+OpenFOAM syntax, nested by '/'. Entries of couplingDict that a case does not mention are added where the program knows them
+(`interphase -help keys`); all others are replaced, never added: what a case does not mention, add to its file first.
 
 --from takes the particles of another run of the same weight, at the time of one of its snapshots, in place of those in the file that the
 case's script reads (`read_data`), and its gas where fields were written then: the same mesh takes the values of the cells, another mesh of the
@@ -67,7 +69,7 @@ def arguments():
     parser.add_argument("--until", metavar="T", help="simulated time to end at, in s (default: the case's)")
     parser.add_argument(
         "--set", metavar="KEY=VALUE", action="append", default=[], dest="settings",
-        help="change an entry of `parameters`, or FILE:ENTRY=VALUE; may be given again",
+        help="change an entry of `parameters`, or of the coupling, or FILE:ENTRY=VALUE; may be given again",
     )
     parser.add_argument(
         "--out", metavar="DIR", help="the run's folder (default: runs/<case>-<method>-w<weight>[-<N>ranks])"
@@ -109,14 +111,16 @@ def is_time(words):
         return False
 
 
-def split_setting(setting):
-    """`file:entry=value` -> (file, entry, value); the file is `parameters` where none is named."""
+def split_setting(case, setting):
+    """`file:entry=value` -> (file, entry, value); where no file is named, it is `parameters`, or couplingDict for what stands there."""
     left, equals, value = setting.partition("=")
     left = left.strip()
     if not equals or not left:
         raise InputError(f"--set {setting}: give KEY=VALUE or FILE:ENTRY=VALUE")
-    file, colon, entry = left.partition(":")
-    return (os.path.normpath(file), entry, value) if colon else (PARAMETERS, left, value)
+    try:
+        return (*case.place_of(left), value)
+    except InputError as error:
+        raise InputError(f"--set {setting}: {error}") from None
 
 
 def apply_settings(case, given):
@@ -128,7 +132,7 @@ def apply_settings(case, given):
     by_option = {(PARAMETERS, "method"): "method", (COUPLING, "method"): "method", (CONTROL, "endTime"): "until",
                  (PARAMETERS, "weight"): "weight", (COUPLING, "weight"): "weight"}
     for setting in given.settings:
-        file, entry, value = split_setting(setting)
+        file, entry, value = split_setting(case, setting)
         option = by_option.get((file, entry))
         if option:
             if chosen[option] not in (None, value.strip()):
@@ -267,7 +271,7 @@ def main():
     case_path = case_folder.checked_case(given.case, CASES)
     case = case_folder.Dictionaries(case_path)
     method, weight = apply_settings(case, given)
-    mesh_choice.check_settings(case, [split_setting(setting)[:2] for setting in given.settings])
+    mesh_choice.check_settings(case, [split_setting(case, setting)[:2] for setting in given.settings])
     case_folder.anchor_plugins(case)
     name = os.path.basename(case_path)
     folder = os.path.abspath(given.out or default_folder(case_path, method, weight, given.ranks or 1))
