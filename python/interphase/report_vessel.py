@@ -43,8 +43,17 @@ def domain_of(run):
             return None
         box = numpy.asarray(file["meta"].attrs["domain"], dtype=float)
     if box.shape != (2, 3) or not numpy.isfinite(box).all() or not (box[1] > box[0]).all():
-        raise InputError(f"{run.results}: /meta attribute domain = {box.tolist()}: two corners (x y z), the low one first, are expected")
+        raise InputError(f"{run.results}: /meta attribute domain = {box.tolist()}: two corners (x y z), low and high, are expected")
     return box
+
+
+def box_of(run, mesh):
+    """(corners [2, 3] in m, whence they are known) of the vessel of a `Run`: its domain, else its `BoxMesh` where that is not None; None
+    where neither tells."""
+    domain = domain_of(run)
+    if domain is not None:
+        return domain, "the gas mesh's domain"
+    return None if mesh is None else (numpy.array([mesh.low, mesh.high]), "the box of blockMeshDict")
 
 
 def vessel_of(runs, boxes, chosen):

@@ -15,6 +15,9 @@ from typing import Optional
 
 import numpy
 
+from interphase.input_error import InputError
+from interphase.matching_times import Matching
+
 BATCH = 5
 LEFT, LEFT_SHARE = 5, 0.1  # of the batches, that are left at least
 FEWEST = 20  # samples
@@ -82,6 +85,20 @@ def start_up_of(times, columns):
                        float(2 * times[-1] - times[0]))
     last = max(cut, key=cut.get)
     return StartUp(float(times[cut[last]]), last if cut[last] else "")
+
+
+def start_up_of_run(run, end):
+    """The `StartUp` of a `Run` (run_records.py) that is looked at until `end` [s] (None: to its end)."""
+    try:
+        series = run.series()
+    except InputError as error:
+        return StartUp(None, reason=str(error))
+    if series is None:
+        return StartUp(None, reason="there is no /series")
+    times, columns = series
+    where = Matching("time", None)
+    inside = numpy.array([where.inside(time, None, end) for time in times], dtype=bool)
+    return start_up_of(times[inside], {name: values[inside] for name, values in columns.items()})
 
 
 def later_half(first, last):

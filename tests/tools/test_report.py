@@ -558,7 +558,7 @@ class WithoutConfiguration(Folder):
             shutil.copy(os.path.join(SOURCE, "cases/sscp1", name), os.path.join(run, name))
         text = self.report(run)
         self.assertIn("from 0.5 to 1 s (the latter half, as start-up is not known to be over)", text)
-        self.assertRegex(text, r"note: `from` = 10 s of .*reportDict is after what there is in all runs, which ends at 1 s")
+        self.assertRegex(text, r"note: `from` = 10 s of system/reportDict is after what there is in all runs, which ends at 1 s")
         self.assertRegex(text, r"A: (\d+) of \1 means have no error that is to be trusted; .* all at [0-9.]+ s")
         self.assertRegex(text, r"bed height \[m\] +0.3 \+- 0 \?")
         self.assertIn("from 0.3 to 1 s (--from)", self.report(run, "--from", 0.3))

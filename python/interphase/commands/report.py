@@ -8,21 +8,20 @@ import os
 import sys
 from dataclasses import dataclass
 
-import numpy
-
-from interphase import report_file, report_figure, report_keys, report_scene, report_table, run_report, start_up
+from interphase import report_file, report_figure, report_keys, report_scene, report_table, run_report
 from interphase.input_error import InputError
 from interphase.matching_times import Matching
 from interphase.report_scene import BoxMesh
-from interphase.report_vessel import domain_of, vessel_of
+from interphase.report_vessel import box_of, vessel_of
 from interphase.run_records import find_run, open_h5
-from interphase.start_up import StartUp
+from interphase.start_up import StartUp, later_half, start_up_of_run
 
 DETAILS = """Any run will do, of any vessel and length. x goes across, y is the depth from the front wall on, z is up.
 Start-up is left out: what comes before --from, else before `from` of system/reportDict, else the time that MSER-5
 finds in /series (pressure drop, bed height, kinetic energy, vertical velocity, number of particles; the latest of
 them). Where a record is too short to tell, its latter half is shown, and no mean of it is trusted. What is measured where is
-the vessel's (the box about the gas mesh, else about all spheres) unless system/reportDict says otherwise. From the snapshots of particles.h5:
+the vessel's (the box about the gas mesh, else about all spheres) unless system/reportDict says otherwise. From the
+snapshots of particles.h5:
 
   velocity               mean of all real particles in a window (those of a sphere whose centre is in it), counted as
                          often as they are seen there
@@ -165,13 +164,7 @@ def common_scene(files, runs, start, end):
     meshes = [report_scene.box_mesh(run.path) for run in runs]
     mesh = meshes[0] if all(other == meshes[0] for other in meshes) else next(
         (mesh for mesh in meshes if not isinstance(mesh, BoxMesh)), "the runs' meshes differ")
-    boxes = []
-    for run, own in zip(runs, meshes):
-        domain = domain_of(run)
-        if domain is not None:
-            boxes.append((domain, "the gas mesh's domain"))
-        else:
-            boxes.append(((numpy.array([own.low, own.high]), "the box of blockMeshDict") if isinstance(own, BoxMesh) else None))
+    boxes = [box_of(run, own if isinstance(own, BoxMesh) else None) for run, own in zip(runs, meshes)]
     where = Matching("time", None)
     vessel, notes = vessel_of(runs, boxes, lambda time: where.inside(time, start, end))
     found = [report_scene.scene_of(file, vessel, mesh) for file in files]
@@ -186,20 +179,6 @@ def common_scene(files, runs, start, end):
 def snapshot_times(run):
     """Times of all snapshots [s]; none where none was recorded."""
     return [frame.time for frame in run.frames()]
-
-
-def start_up_of(run, end):
-    """The `StartUp` of a `Run` that is looked at until `end` [s] (None: to its end)."""
-    where = Matching("time", None)
-    try:
-        series = run.series()
-    except InputError as error:
-        return StartUp(None, reason=str(error))
-    if series is None:
-        return StartUp(None, reason="there is no /series")
-    times, columns = series
-    inside = numpy.array([where.inside(time, None, end) for time in times], dtype=bool)
-    return start_up.start_up_of(times[inside], {name: values[inside] for name, values in columns.items()})
 
 
 @dataclass(frozen=True)
@@ -237,9 +216,9 @@ def time_range(runs, names, files, options):
     if given and max(given) <= end:
         return Range(max(given), end, "`from` of system/reportDict", settled), notes
     if given:
-        notes.append(f"`from` = {max(given):g} s of {files[given.index(max(given)) if len(given) == len(files) else 0].path} is after what "
-                     f"there is in all runs, which ends at {end:g} s: the start-up's end is looked for instead")
-    found = [start_up_of(run, options.end) for run in runs]
+        notes.append(f"`from` = {max(given):g} s of {report_scene.SCENE} is after what there is in all runs, which ends at {end:g} s: "
+                     "the end of start-up is looked for instead")
+    found = [start_up_of_run(run, options.end) for run in runs]
     ends = [each.end for each in found if each.end is not None]
     for at, each in enumerate(found):
         if each.end is not None and each.end >= end:
@@ -249,7 +228,7 @@ def time_range(runs, names, files, options):
             if each.reason:
                 more = "" if each.needed is None else f"; a run to t = {each.needed:.3g} s at least may tell"
                 notes.append(f"{name}: start-up not known to be over: {each.reason}{more}")
-        start = max([start_up.later_half(first, end), *(each for each in ends if each < end)])
+        start = max([later_half(first, end), *(each for each in ends if each < end)])
         return Range(start, end, "the latter half, as start-up is not known to be over",
                      tuple(each if each.reason else None for each in found)), notes
     last = max(found, key=lambda each: each.end)
@@ -272,7 +251,8 @@ def described(windows, depth):
     """The windows in words."""
     low, high = windows.centre - windows.height / 2, windows.centre + windows.height / 2
     slice_of = f"front slice of {windows.front_depth:.3g} m" if depth == "front_slice" else "full depth"
-    return f"{windows.count} window{'s' * (windows.count > 1)} over x = {windows.left:.4g} to {windows.right:.4g} m, z = {low:.4g} to {high:.4g} m, {slice_of}"
+    place = f"x = {windows.left:.4g} to {windows.right:.4g} m, z = {low:.4g} to {high:.4g} m, {slice_of}"
+    return f"{windows.count} window{'s' * (windows.count > 1)} over {place}"
 
 
 def report(options):
