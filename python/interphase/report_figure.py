@@ -60,7 +60,9 @@ def _profile(axes, reports, means_of):
         if report.windows is None:
             continue
         means = means_of(report)
-        drawn += any(mean is not None for mean in means)
+        if all(mean is None for mean in means):
+            continue
+        drawn += 1
         values = [math.nan if mean is None else mean.value for mean in means]
         errors = [0.0 if mean is None or math.isnan(mean.error) else mean.error for mean in means]
         axes.errorbar(report.windows, values, errors, marker=_marker(at), markersize=4, capsize=2, **_style(at))

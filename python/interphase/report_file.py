@@ -93,9 +93,9 @@ def write(run, scene, report):
             group = profiles.create_group("pressure_spectrum")
             _data(group, "frequency", report.spectrum[0], "Hz")
             _data(group, "power_density", report.spectrum[1], "Pa2/Hz")
-        if scene.overlaps:
+        if report.overlaps:
             _overlaps(histograms.create_group("overlap"), scene.overlaps, report)
-        if scene.voidage:
+        if report.voidages:
             group = histograms.create_group("voidage")
             _histogram(group, report.voidage)
             _data(group, "limits", scene.voidage.limits, "1")

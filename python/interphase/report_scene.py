@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What tools/report is to measure in a case: `system/reportDict`, and the box mesh of `system/blockMeshDict`.
+"""What tools/report is to measure in a case: `system/reportDict` where there is one, the box mesh of `system/blockMeshDict`, and
+for what neither says the vessel and its spheres (report_vessel.py).
 
 x goes across, y is the depth with the front wall at its low end, z is up. `$name` is looked up in the file itself, then
-in the case's `parameters`. A block that is left out (windows, overlaps, voidage) is not measured.
+in the case's `parameters`. The keys and their defaults are in report_keys.py.
 """
 
 import math
@@ -14,16 +15,19 @@ from interphase import foam_file
 from interphase.case_folder import PARAMETERS
 from interphase.foam_file import Dictionary, FoamFileError
 from interphase.input_error import InputError
+from interphase.report_keys import KEYS
 
 SCENE, MESH = "system/reportDict", "system/blockMeshDict"
 
-# The keys of each block, "" the file itself.
-KEYS = {
-    "": ("from", "windows", "overlaps", "voidage"),
-    "windows": ("count", "left", "right", "centre", "height", "front", "frontDepth"),
-    "overlaps": ("shares", "percentiles"),
-    "voidage": ("lowest", "highest", "bins", "limits", "low", "high", "cells"),
-}
+WINDOWS_ACROSS = 5
+# A window or a cell below this many diameters tells single spheres.
+WINDOW_IN_DIAMETERS = 4.0
+CELL_IN_DIAMETERS = 4.0
+MOST_CELLS = 10**6
+# A tree finds pairs within one distance: beyond this ratio of sizes it finds a hundred that do not touch for one that does.
+WIDEST_SIZES = 5.0
+DEFAULT_SHARES, DEFAULT_PERCENTILES = (0.001, 0.01, 0.05), (50.0, 90.0, 99.0)
+DEFAULT_LIMITS = (0.4, 0.5, 0.8, 0.95)
 
 
 @dataclass(frozen=True)
@@ -76,9 +80,8 @@ class Voidage:
 
 @dataclass(frozen=True)
 class Scene:
-    """`start`: what comes before it is left out [s]. What is None is not measured."""
+    """What is None is not measured."""
 
-    start: float
     windows: Optional[Windows]
     overlaps: Optional[Overlaps]
     voidage: Optional[Voidage]
@@ -88,8 +91,11 @@ class _File:
     """A dictionary with its macros expanded; complaints name the file."""
 
     def __init__(self, path, parameters=None):
-        """`parameters`: the `_File` to look macros up in that this file does not define."""
+        """`parameters`: the `_File` to look macros up in that this file does not define. No file at all is an empty one."""
         self.path, self.parameters = path, parameters
+        if not os.path.isfile(path):
+            self.text, self.root = "", foam_file.parse("")
+            return
         try:
             with open(path, encoding="utf-8") as stream:
                 self.text = stream.read()
@@ -156,9 +162,11 @@ class _File:
             raise self.complaint(name, f"= {value:g}: a whole number above 0 is expected")
         return int(value)
 
-    def numbers(self, name, count=None):
+    def numbers(self, name, count=None, default=None):
         """A list `(a b ...)` of numbers, `count` of them if given."""
         words = self.words(name)
+        if words is None and default is not None:
+            return default
         if words is None:
             raise InputError(f"{self.path}: no entry {name}: add one")
         try:
@@ -172,8 +180,8 @@ class _File:
             raise self.complaint(name, f"= {' '.join(words)}: a list of {many} in parentheses is expected")
         return values
 
-    def ascending(self, name):
-        values = self.numbers(name)
+    def ascending(self, name, default):
+        values = self.numbers(name, default=default)
         if any(later <= earlier for earlier, later in zip(values, values[1:])):
             raise self.complaint(name, f"= {values}: values must ascend")
         return values
@@ -181,14 +189,16 @@ class _File:
     def refuse_unknown(self):
         for block, keys in KEYS.items():
             level = self.entry(block) if block else self.root
-            for key in level.names() if level is not None else ():
+            for key in level.names() if isinstance(level, Dictionary) else ():
                 name = f"{block}/{key}" if block else key
                 if name == "FoamFile":
                     continue
                 if key not in keys:
                     raise self.complaint(name, f"is unknown: {foam_file.nearest(key, keys)}")
+                if name in KEYS and self.words(name) == ["none"]:
+                    continue
                 if isinstance(self.entry(name), Dictionary) != (name in KEYS):
-                    wanted = "a block { ... }" if name in KEYS else "a value, not a block"
+                    wanted = "a block { ... } or `none`" if name in KEYS else "a value, not a block"
                     raise self.complaint(name, f"must be {wanted}")
 
 
@@ -197,12 +207,12 @@ def _parameters(folder):
     return _File(path) if os.path.isfile(path) else None
 
 
-def _box_mesh(folder, parameters):
+def box_mesh(folder):
     """The `BoxMesh` of system/blockMeshDict, or the reason why there is none."""
     path = os.path.join(folder, MESH)
     if not os.path.isfile(path):
         return f"there is no {path}"
-    file = _File(path, parameters)
+    file = _File(path, _parameters(folder))
     blocks = file.words("blocks") or []
     opened = [at for at, word in enumerate(blocks) if word == "hex"]
     if len(opened) != 1:
@@ -231,46 +241,95 @@ def _box_mesh(folder, parameters):
     return BoxMesh(low, high, tuple(cells))
 
 
-def read(folder, scene_file=None):
-    """The `Scene` of the run in `folder`, from its system/reportDict or from `scene_file`."""
-    path = scene_file or os.path.join(folder, SCENE)
-    if not os.path.isfile(path):
-        if scene_file:
-            raise InputError(f"--scene {scene_file}: no such file")
-        raise InputError(
-            f"{path}: no such file: it says what to measure, see cases/sscp1/{SCENE}; put one into the case, or name one "
-            "by --scene FILE"
-        )
-    parameters = _parameters(folder)
-    file = _File(path, parameters)
+def opened(folder, scene_file=None):
+    """The system/reportDict of the run in `folder`, or `scene_file`, its keys known to be right; without a file an empty one."""
+    if scene_file and not os.path.isfile(scene_file):
+        raise InputError(f"--scene {scene_file}: no such file")
+    file = _File(scene_file or os.path.join(folder, SCENE), _parameters(folder))
     file.refuse_unknown()
-    mesh = _box_mesh(folder, parameters)
-    start = file.number("from", 0.0)
-    windows = _windows(file, mesh) if file.entry("windows") is not None else None
-    overlaps = _overlaps(file) if file.entry("overlaps") is not None else None
-    voidage = _voidage(file, mesh) if file.entry("voidage") is not None else None
-    return Scene(start, windows, overlaps, voidage)
+    return file
 
 
-def _windows(file, mesh):
-    front = mesh.low[1] if isinstance(mesh, BoxMesh) else None
-    if front is None and file.entry("windows/front") is None:
-        raise InputError(f"{file.path}: add windows/front, the y of the front wall [m]; the mesh does not tell it: {mesh}")
-    found = Windows(
-        file.whole("windows/count"), file.number("windows/left"), file.number("windows/right"),
-        file.number("windows/centre"), file.number("windows/height"), file.number("windows/front", front),
-        file.number("windows/frontDepth"),
-    )
-    if found.right <= found.left:
-        raise file.complaint("windows/right", f"= {found.right:g} m is not right of windows/left = {found.left:g} m")
-    for name, value in (("height", found.height), ("frontDepth", found.front_depth)):
-        if value <= 0:
-            raise file.complaint(f"windows/{name}", f"= {value:g}: a length above 0 is expected [m]")
-    return found
+def start_of(file):
+    """The entry `from` [s], None where there is none."""
+    return None if file.entry("from") is None else file.number("from")
 
 
-def _overlaps(file):
-    found = Overlaps(file.ascending("overlaps/shares"), file.ascending("overlaps/percentiles"))
+def scene_of(file, vessel, mesh):
+    """(`Scene`, notes) of a file that `opened` gave.
+
+    `vessel`: `Vessel` or None where none is known; `mesh`: the `BoxMesh` of the case, or the reason why there is none. What the file
+    does not say, or where no part of it lies in the vessel, is the vessel's.
+    """
+    notes = []
+    windows = _windows(file, vessel, notes) if _wanted(file, "windows") else None
+    overlaps = _overlaps(file, vessel, notes) if _wanted(file, "overlaps") else None
+    voidage = _voidage(file, vessel, mesh, notes) if _wanted(file, "voidage") else None
+    return Scene(windows, overlaps, voidage), notes
+
+
+def _wanted(file, block):
+    return file.words(block) != ["none"]
+
+
+def _along(file, vessel, axis, low, high, keys, notes):
+    """Whether the range `low` to `high` [m] along `axis`, of which `keys` are given, has a part in the vessel; told where not all is."""
+    given = [f"windows/{key}" for key in keys if file.entry(f"windows/{key}") is not None]
+    if vessel is None or not given:
+        return True
+    name, slack = "xyz"[axis], 1e-6 * (vessel.high[axis] - vessel.low[axis])
+    inside = high > vessel.low[axis] and low < vessel.high[axis]
+    if not inside or low < vessel.low[axis] - slack or high > vessel.high[axis] + slack:
+        notes.append(
+            f"{' and '.join(given)} of {file.path}: {name} = {low:.4g} to {high:.4g} m is {'partly ' if inside else ''}outside "
+            f"{vessel.whence}, {vessel.low[axis]:.4g} to {vessel.high[axis]:.4g} m" + ("" if inside else "; the default is taken")
+        )
+    return inside
+
+
+def _windows(file, vessel, notes):
+    def value(key, default):
+        found = file.entry(f"windows/{key}") is not None
+        if not found and default is None:
+            raise InputError(f"{file.path}: add windows/{key} [m]: neither mesh nor snapshots of the run tell it")
+        return file.number(f"windows/{key}", default)
+
+    spheres = vessel is not None and vessel.largest is not None
+    if not spheres and (file.entry("windows") is None or any(
+            file.entry(f"windows/{key}") is None for key in ("centre", "height", "frontDepth"))):
+        notes.append("no windows: no spheres tell where they would be")
+        return None
+    least = WINDOW_IN_DIAMETERS * vessel.largest if spheres else 0.0
+
+    left, right = value("left", vessel and vessel.low[0]), value("right", vessel and vessel.high[0])
+    if right <= left:
+        raise file.complaint("windows/right", f"= {right:g} m is not right of windows/left = {left:g} m")
+    if not _along(file, vessel, 0, left, right, ("left", "right"), notes):
+        left, right = vessel.low[0], vessel.high[0]
+    fitting = max(1, min(WINDOWS_ACROSS, int((right - left) / least))) if least else WINDOWS_ACROSS
+    count = file.whole("windows/count", fitting)
+
+    tall = None if vessel is None else min(max((right - left) / count, least), vessel.high[2] - vessel.low[2])
+    height, centre = value("height", tall), value("centre", vessel and vessel.middle)
+    deep = None if vessel is None or not spheres else min(vessel.largest, vessel.high[1] - vessel.low[1])
+    front, depth = value("front", vessel and vessel.low[1]), value("frontDepth", deep)
+    for name, length in (("height", height), ("frontDepth", depth)):
+        if length <= 0:
+            raise file.complaint(f"windows/{name}", f"= {length:g}: a length above 0 is expected [m]")
+    if not _along(file, vessel, 2, centre - height / 2, centre + height / 2, ("centre", "height"), notes) and spheres:
+        height, centre = tall, vessel.middle
+    if not _along(file, vessel, 1, front, front + depth, ("front", "frontDepth"), notes) and spheres:
+        front, depth = vessel.low[1], deep
+    return Windows(count, left, right, centre, height, front, depth)
+
+
+def _overlaps(file, vessel, notes):
+    if file.entry("overlaps") is None and vessel is not None and vessel.largest is not None \
+            and vessel.largest > WIDEST_SIZES * vessel.smallest:
+        notes.append(f"overlaps are not measured: diameters of {vessel.smallest:.3g} to {vessel.largest:.3g} m take long; "
+                     "a block `overlaps { }` in system/reportDict asks for them all the same")
+        return None
+    found = Overlaps(file.ascending("overlaps/shares", DEFAULT_SHARES), file.ascending("overlaps/percentiles", DEFAULT_PERCENTILES))
     if any(not value > 0 for value in found.shares):
         raise file.complaint("overlaps/shares", f"= {found.shares}: overlaps over the diameter are above 0, such as 0.01")
     if any(not 0 < value < 100 for value in found.percentiles):
@@ -278,8 +337,9 @@ def _overlaps(file):
     return found
 
 
-def _voidage(file, mesh):
+def _voidage(file, vessel, mesh, notes):
     own = [name for name in ("low", "high", "cells") if file.entry(f"voidage/{name}") is not None]
+    wanted = None
     if own:
         low, high = file.numbers("voidage/low", 3), file.numbers("voidage/high", 3)
         cells = file.numbers("voidage/cells", 3)
@@ -287,16 +347,37 @@ def _voidage(file, mesh):
             raise file.complaint("voidage/cells", f"= {cells}: three whole numbers above 0 are expected")
         if any(a >= b for a, b in zip(low, high)):
             raise file.complaint("voidage/high", f"= {high} is not above voidage/low = {low} in each direction")
-        mesh = BoxMesh(low, high, tuple(int(n) for n in cells))
-    elif not isinstance(mesh, BoxMesh):
-        raise InputError(
-            f"{file.path}: voidage is taken on a uniform mesh of boxes, but {mesh}; give one by `low (x y z); "
-            "high (x y z); cells (nx ny nz);` in the block voidage, or leave the block out"
-        )
+        wanted = BoxMesh(low, high, tuple(int(n) for n in cells))
+        if vessel is not None and not all(a < d and c < b for a, b, c, d in zip(low, high, vessel.low, vessel.high)):
+            notes.append(f"voidage/low and high of {file.path}: {low} to {high} m has no part in {vessel.whence}; the default is taken")
+            wanted = None
+    elif isinstance(mesh, BoxMesh) and (vessel is None or vessel.is_box(mesh.low, mesh.high)):
+        wanted = mesh
+    if wanted is None:
+        wanted = _mesh_of(vessel, mesh, notes)
+        if wanted is None:
+            return None
     found = Voidage(
         file.number("voidage/lowest", 0.3), file.number("voidage/highest", 1.0), file.whole("voidage/bins", 70),
-        file.ascending("voidage/limits"), mesh,
+        file.ascending("voidage/limits", DEFAULT_LIMITS), wanted,
     )
     if not found.lowest < found.highest:
         raise file.complaint("voidage/highest", f"= {found.highest:g} is not above voidage/lowest = {found.lowest:g}")
     return found
+
+
+def _mesh_of(vessel, mesh, notes):
+    """A `BoxMesh` of the vessel's box, its cells some mean diameters wide; None, and told, where it cannot be."""
+    if vessel is None or vessel.mean is None:
+        notes.append("no voidage: no spheres tell how wide its cells should be")
+        return None
+    size = [high - low for low, high in zip(vessel.low, vessel.high)]
+    cells = [max(1, round(edge / (CELL_IN_DIAMETERS * vessel.mean))) for edge in size]
+    if math.prod(cells) > MOST_CELLS:
+        notes.append(f"no voidage: {vessel.whence} would have {math.prod(cells):.3g} cells of four diameters; give "
+                     "`voidage { low (x y z); high (x y z); cells (nx ny nz); }` in system/reportDict")
+        return None
+    why = "the case's blockMeshDict has another box" if isinstance(mesh, BoxMesh) else mesh
+    notes.append(f"voidage is of {' x '.join(map(str, cells))} cells in {vessel.whence}, as {why}; "
+                 "what of them is outside the vessel counts as empty")
+    return BoxMesh(tuple(vessel.low), tuple(vessel.high), tuple(cells))

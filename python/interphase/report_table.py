@@ -74,7 +74,7 @@ def shown(mean, times=1.0):
     if math.isnan(error):
         return f"{value:.4g} +- ?"
     if error == 0:
-        return f"{value:.6g} +- 0"
+        return f"{value:.6g} +- 0" + (" ?" if mean.reason else "")
     digits = min(max(1 - math.floor(math.log10(error)), 0), 12)
     if abs(value) >= 1e-3 or value == 0:
         text = f"{value:.{digits}f} +- {error:.{digits}f}"
@@ -110,8 +110,42 @@ def text(names, reports, depth, confidence):
         cells = [shown(column[at], quantity.shown_times) for column in means]
         rows.append([name, *cells, *map(_verdict, verdicts.get(at, ()))])
         if key[1] == "overlapping pairs per sphere":
-            rows.append(["largest overlap [% d]", *(f"{100 * report.largest_overlap:.3g}" for report in reports)])
-    return tables.columns(rows) + _legend(names, letters, means, verdicts, confidence)
+            rows.append(["largest overlap [% d]", *(
+                "-" if report.largest_overlap is None else f"{100 * report.largest_overlap:.3g}" for report in reports)])
+    lacking = [line for letter, report in zip(letters, reports) if (line := _lacking(letter, report, depth))]
+    return tables.columns(rows) + _legend(names, letters, means, verdicts, confidence) + lacking
+
+
+def times_needed(report, depth):
+    """[(time [s] or None, name)] of each quantity without an error that is to be trusted: how far the run would have to go for one,
+    about, as far as the record shows; None where it does not."""
+    found = []
+    for heading, some in quantities(report, depth):
+        of_series = some is report.series
+        count, first, last = report.rows if of_series else (report.snapshots, report.first, report.last)
+        for quantity in some:
+            if quantity.mean is None or not quantity.mean.reason:
+                continue
+            interval = (last - first) / (count - 1) if count > 1 else None
+            name = " ".join(filter(None, (heading.split(" [")[0], quantity.name.strip())))
+            found.append((None if interval is None else first + quantity.mean.longer * count * interval, name))
+    return found
+
+
+def _lacking(letter, report, depth):
+    """What this run is too short for, and how long would do; None where all has an error."""
+    every = sum(q.mean is not None for _, some in quantities(report, depth) for q in some)
+    needed = times_needed(report, depth)
+    known = sorted(pair for pair in needed if pair[0] is not None)
+    if not needed:
+        return None
+    line = f"{letter}: {len(needed)} of {every} means have no error that is to be trusted"
+    if not known:
+        return f"{line}: one sample only; let the run record more (`snapshotInterval`), or go on"
+    earliest = report.needed or 0.0
+    half, (last, name) = max(known[(len(known) - 1) // 2][0], earliest), known[-1]
+    return (f"{line}; as far as the record shows, half of them have one when the run goes to t = {half:.3g} s, all at "
+            f"{max(last, earliest):.3g} s (last: {name})")
 
 
 def _picked(means, places):

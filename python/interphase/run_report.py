@@ -57,7 +57,9 @@ class Histogram:
 
 @dataclass
 class RunReport:
-    """All of it. `first`, `last`: times of the first and last snapshot [s]. What is None was not measured."""
+    """All of it. `first`, `last`: times of the first and last snapshot [s], of rows of /series where there are no snapshots.
+    `rows`: number and times of the first and last row of /series. `needed`: time to which the run must go at least to tell the end of
+    its start-up [s]. What is None was not measured."""
 
     snapshots: int
     first: float
@@ -70,6 +72,8 @@ class RunReport:
     voidage: Optional[Histogram] = None
     voidages: list = field(default_factory=list)
     series: list = field(default_factory=list)
+    rows: tuple = (0, math.nan, math.nan)
+    needed: Optional[float] = None
     pressure: Optional[tuple] = None
     spectrum: Optional[tuple] = None
     notes: list = field(default_factory=list)
@@ -86,14 +90,14 @@ class _Rows:
             self.rows.setdefault(name, []).append(value)
 
     def __getattr__(self, name):
-        return numpy.array(self.rows[name])
+        return numpy.array(self.rows.get(name, ()))
 
 
-def measure(run, scene, chosen, series_chosen, progress=None):
-    """The `RunReport` of a `Run`.
+def measure(run, scene, chosen, series_chosen, progress=None, unsettled=None):
+    """The `RunReport` of a `Run`; without snapshots that count, what /series gives.
 
-    `chosen(frame)` and `series_chosen(time)` say what counts; `progress(number, time)` is called at each snapshot.
-    InputError where a snapshot lacks what is needed.
+    `chosen(frame)` and `series_chosen(time)` say what counts; `progress(number, time)` is called at each snapshot. `unsettled`: the
+    `StartUp` for whose reason no mean is to be trusted, None where start-up is over. InputError where a snapshot lacks what is needed.
     """
     rows = _Rows()
     for frame in run.frames(only=(*DATA, WEIGHT)):
@@ -112,18 +116,34 @@ def measure(run, scene, chosen, series_chosen, progress=None):
         if progress:
             progress(len(rows.rows["time"]), frame.time)
     times = rows.time
-    report = RunReport(len(times), float(times[0]), float(times[-1]))
+    report = RunReport(len(times), *((float(times[0]), float(times[-1])) if len(times) else (math.nan, math.nan)))
     if (spread := uneven(times)) is not None:
         apart = f"{spread[0]:.4g} to {spread[1]:.4g} s apart"
         report.notes.append(f"snapshots are {apart}; means are over samples, not over time")
-    if scene.windows:
+    if scene.windows and len(times):
         _windows(report, scene.windows, rows)
-    if scene.overlaps:
+    if scene.overlaps and len(times):
         _overlaps(report, scene.overlaps, rows)
-    if scene.voidage:
+    if scene.voidage and len(times):
         _voidage(report, scene.voidage, rows)
     _series(report, run, series_chosen)
+    if unsettled is not None:
+        report.needed = unsettled.needed
+        _distrust(report, f"start-up not known to be over: {unsettled.reason}")
     return report
+
+
+def _distrust(report, reason):
+    """Every mean gets `reason` before its own."""
+    def less(mean):
+        return mean and dataclasses.replace(mean, reason="; ".join(filter(None, (reason, mean.reason))))
+
+    for profile in report.profiles.values():
+        profile.number, profile.temperature = list(map(less, profile.number)), list(map(less, profile.temperature))
+        for of in (profile.velocity, profile.temperature_of):
+            of.update({component: list(map(less, means)) for component, means in of.items()})
+    for some in (report.overlaps, report.voidages, report.series):
+        some[:] = [dataclasses.replace(quantity, mean=less(quantity.mean)) for quantity in some]
 
 
 def _measure_snapshot(position, velocity, diameter, weight, scene, rows):
@@ -244,6 +264,9 @@ def _series(report, run, chosen):
         report.notes.append("no row of /series lies in the time range")
         return
     times = times[inside]
+    report.rows = len(times), float(times[0]), float(times[-1])
+    if not report.snapshots:
+        report.first, report.last = report.rows[1:]
     values = {name: column[inside] for name, column in columns.items()}
     spread = uneven(times)
     if spread:

@@ -31,7 +31,8 @@ class Mean:
     `error` is the standard error, in units of the series; `freedom` the degrees of freedom of that estimate, for
     Student's t; `effective` the number of independent samples that would know the mean as well; `time` the
     integral autocorrelation time 1/2 + sum of the autocorrelation function, in samples (1/2: uncorrelated).
-    `reason` is empty, or says why the error is not to be trusted.
+    `reason` is empty, or says why the error is not to be trusted; `longer` then is how many times longer the record must be,
+    about (`longer_by`).
     """
 
     value: float
@@ -42,6 +43,7 @@ class Mean:
     freedom: float
     time: float
     reason: str = ""
+    longer: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -174,12 +176,12 @@ def mean_with_error(series):
         raise ValueError("mean_with_error needs a one-dimensional series of at least one sample, all finite")
     value = float(series.mean())
     deviation = float(series.std(ddof=1)) if count > 1 else 0.0
-    # A constant's mean is off by round-off; so would its deviation be.
-    if deviation <= 1e-14 * float(numpy.abs(series).max()):
+    # A constant's mean is off by round-off; so would its deviation be. One sample is not known to be a constant.
+    if count > 1 and deviation <= 1e-14 * float(numpy.abs(series).max()):
         return Mean(value, 0.0, 0.0, count, float(count), math.inf, 0.5)
     if count < MINIMUM_SAMPLES:
         return Mean(value, math.nan, deviation, count, math.nan, math.nan, math.nan,
-                    f"{count} samples, at least {MINIMUM_SAMPLES} are needed")
+                    f"{count} sample{'s' * (count > 1)}, at least {MINIMUM_SAMPLES} are needed", longer_by(series))
     found = _error(series)
     if found is None:
         return Mean(value, 0.0, deviation, count, float(count), math.inf, 0.0)
@@ -191,19 +193,27 @@ def mean_with_error(series):
     elif freedom < MINIMUM_FREEDOM:
         reason = (f"too short for its autocorrelation to be known: the error has {freedom:.2g} degrees of freedom, "
                   f"at least {MINIMUM_FREEDOM:g} are needed")
-    return Mean(value, error, deviation, count, effective, freedom, count / effective / 2, reason)
+    longer = longer_by(series) if reason else 1.0
+    return Mean(value, error, deviation, count, effective, freedom, count / effective / 2, reason, longer)
 
 
 def ratio_with_error(above, below):
     """`Mean` of sum(above) / sum(below), two series [n] of one time, such as summed velocity over number.
 
     The error is that of the mean of (above - ratio below) / mean(below), the ratio to first order in its deviations
-    (W. G. Cochran, Sampling Techniques, 1977, sec. 2.11), its autocorrelation taken in. sum(below) = 0: ValueError.
+    (W. G. Cochran, Sampling Techniques, 1977, sec. 2.11), its autocorrelation taken in; unknown where most samples of `below` are
+    empty and fewer than MINIMUM_SAMPLES are not. sum(below) = 0: ValueError.
     """
     above, below = numpy.asarray(above, dtype=float), numpy.asarray(below, dtype=float)
     if not below.sum():
         raise ValueError("ratio_with_error: the lower series is nothing but zeros")
     ratio = float(above.sum() / below.sum())
+    filled = int(numpy.count_nonzero(below))
+    if filled < min(MINIMUM_SAMPLES, len(below)):
+        # The residuals of the empty samples are zeros that tell nothing: with one that is not empty, all are zero.
+        return Mean(ratio, math.nan, math.nan, len(below), math.nan, math.nan, math.nan,
+                    f"{filled} sample{'s' * (filled > 1)} that hold anything, at least {MINIMUM_SAMPLES} are needed",
+                    MINIMUM_SAMPLES / filled)
     residual = above - ratio * below
     # What is round-off of the numerator alone is none of the ratio.
     residual[numpy.abs(residual) <= 1e-13 * numpy.abs(above).max(initial=0.0)] = 0.0

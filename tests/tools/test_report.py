@@ -11,6 +11,7 @@ import io
 import json
 import math
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -23,7 +24,10 @@ from scipy.signal import lfilter
 
 from interphase import bed_statistics, report_scene, report_table, run_report, time_statistics as statistics
 from interphase.commands import report as report_tool
+from interphase.report_keys import KEYS
 from interphase.report_scene import BoxMesh, Windows
+from interphase.report_vessel import Vessel
+from interphase.start_up import FEWEST, start_up_of, truncation
 
 SOURCE = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..")
 TOOLS = os.path.join(SOURCE, "tools")
@@ -229,6 +233,16 @@ class Errors(unittest.TestCase):
         with self.assertRaises(ValueError):
             statistics.ratio_with_error(numpy.zeros(30), numpy.zeros(30))
 
+    def test_what_is_seen_in_few_samples_has_no_error(self):
+        """One sphere that crosses a window once in 75 snapshots has a velocity, but no error, least of all 0."""
+        number = numpy.zeros(75)
+        number[40] = 1
+        found = statistics.ratio_with_error(0.7 * number, number)
+        self.assertAlmostEqual(found.value, 0.7)
+        self.assertTrue(math.isnan(found.error))
+        self.assertIn("1 sample that hold anything", found.reason)
+        self.assertTrue(math.isnan(statistics.mean_with_error([3.0]).error))
+
     def test_a_quantile_and_its_error(self):
         """Values uniform between 0 and 1 plus a shift common to each snapshot: the quantile moves with the shift's mean."""
         edges, random, inside = numpy.linspace(-3, 4, 1401), numpy.random.default_rng(5), 0
@@ -427,18 +441,188 @@ class WholeReport(Folder):
 
     def test_parts_that_are_not_asked_for_are_left_out(self):
         run = self.run_of("one", 30)
-        self.write("one", "system/reportDict", "overlaps { shares (0.01); percentiles (90); }")
+        self.write("one", "system/reportDict", "windows none; voidage none; overlaps { shares (0.01); percentiles (90); }")
         text = self.report(run)
         self.assertNotIn("voidage", text.replace("voidage.", ""))
         with h5py.File(os.path.join(run, "results.h5"), "r") as file:
             self.assertEqual(list(file["histograms"]), ["overlap"])
 
     def test_the_reference_bed_is_described_as_the_experiment_was(self):
-        scene = report_scene.read(os.path.join(SOURCE, "cases/sscp1"))
+        case = os.path.join(SOURCE, "cases/sscp1")
+        file, mesh = report_scene.opened(case), report_scene.box_mesh(case)
+        scene, notes = report_scene.scene_of(file, Vessel(mesh.low, mesh.high, "the mesh", 0.003, 0.003, 0.003, 0.1), mesh)
+        self.assertEqual(notes, [])
         edges = bed_statistics.window_edges(scene.windows)
         self.assertEqual(scene.voidage.mesh, BoxMesh((0, 0, 0), (0.2286, 0.0762, 1.2192), (16, 4, 85)))
         numpy.testing.assert_allclose(numpy.diff(edges), 0.0457, atol=5e-5)
-        self.assertEqual((scene.windows.centre, scene.windows.front_depth, scene.start), (0.0762, 0.003, 10))
+        self.assertEqual((scene.windows.centre, scene.windows.front_depth, report_scene.start_of(file)), (0.0762, 0.003, 10))
+
+
+class StartUpOfSeries(unittest.TestCase):
+    def test_a_steady_series_has_none_and_a_ramp_no_end(self):
+        self.assertEqual(truncation(numpy.full(200, 3.7)), 0)
+        self.assertEqual(truncation(numpy.zeros(200)), 0)
+        self.assertIsNone(truncation(numpy.arange(200.0)))
+        self.assertIsNone(truncation(numpy.full(FEWEST - 1, 1.0)))
+        self.assertRaises(ValueError, truncation, [1.0, math.nan] * 20)
+
+    def test_the_approach_to_rest_ends(self):
+        """1 - exp(-t/10): within a thousandth, the share that counts as none, after 69 samples; MSER weighs it against length."""
+        for samples in (300, 1000):
+            self.assertTrue(40 <= truncation(1 - numpy.exp(-numpy.arange(samples) / 10)) <= 100)
+
+    def test_few_steady_records_are_too_short_to_tell(self):
+        """Records of 100 samples whose neighbours correlate by 0.5: of 300 none was."""
+        self.assertLess(sum(truncation(correlated(100, 0.5, seed)) is None for seed in range(100)), 5)
+
+    def test_a_start_up_of_known_length_is_left_out(self):
+        """Five deviations off for 200 of 1,000 samples, 100 records: at most 20 samples of it stay, more than half of the rest does;
+        of the records without any, few are too short to tell."""
+        step = numpy.where(numpy.arange(1000) < 200, 5.0, 0.0)
+        found = [truncation(correlated(1000, 0.7, seed) + step) for seed in range(100)]
+        self.assertGreater(sum(cut is not None and 180 <= cut for cut in found), 90)
+        self.assertLess(numpy.median([cut for cut in found if cut is not None]), 300)
+        none = [truncation(correlated(1000, 0.7, seed)) for seed in range(100)]
+        self.assertGreater(sum(cut is not None for cut in none), 80)
+
+    def test_the_latest_series_decides_and_what_cannot_be_judged_is_named(self):
+        times = 0.01 * numpy.arange(1, 401)
+        late = numpy.where(times < 1.5, 5.0, 0.0) + correlated(400, 0.3, 1)
+        found = start_up_of(times, {"pressure_drop": numpy.full(400, numpy.nan), "bed_height": numpy.ones(400), "kinetic_energy": late})
+        self.assertTrue(1.5 <= found.end + 1e-9 <= 1.7)  # none of the start-up stays, little else goes
+        self.assertEqual(found.by, "kinetic energy")
+        found = start_up_of(times, {"particles": 5 * times, "kinetic_energy": late})
+        self.assertIsNone(found.end)
+        self.assertIn("number of particles not steady", found.reason)
+        self.assertAlmostEqual(found.needed, 7.99)
+        self.assertAlmostEqual(start_up_of(times[:10], {"particles": times[:10]}).needed, 0.4)  # 40 rows
+        self.assertIsNone(start_up_of(times, {}).end)
+
+
+class WithoutConfiguration(Folder):
+    """Runs whose case has no system/reportDict, or one that does not fit."""
+
+    def bare(self, name, *given, domain=None, mesh=None, **how):
+        run = self.run_of(name, *given, **how)
+        os.remove(os.path.join(run, "system/reportDict"))
+        if mesh is None:
+            os.remove(os.path.join(run, "system/blockMeshDict"))
+        if domain is not None:
+            with h5py.File(os.path.join(run, "results.h5"), "r+") as file:
+                file["meta"].attrs["domain"] = numpy.array(domain, dtype=float)
+        return run
+
+    def test_windows_and_cells_are_the_vessels(self):
+        """The vessel is wider than the spheres' box and higher: 0.2 m across, five windows, as high as wide, about z = 0.185 + 0.005 m,
+        the mean height; a start-up of 2 s of the pressure drop is left out."""
+        run = self.bare("one", 200, domain=[[0, 0, 0], [0.2, 0.1, 0.8]])
+        with h5py.File(os.path.join(run, "results.h5"), "r+") as file:
+            file["series/pressure_drop"][:40] += 1000
+        text = self.report(run)
+        found = re.match(r"from ([0-9.]+) to 9.95 s \(start-up found by MSER-5: [a-z ]+ settles last\); 5 windows over x = 0 to 0.2 m, "
+                         r"z = ([0-9.]+) to ([0-9.]+) m, front slice of 0.001 m", text)
+        self.assertTrue(found, text)
+        start, low, high = map(float, found.groups())
+        self.assertGreaterEqual(start, 2.0)
+        self.assertLess(start, 5.0)
+        self.assertAlmostEqual(high - low, 0.04, delta=1e-4)
+        self.assertAlmostEqual((high + low) / 2, 0.185, delta=0.01)  # 3,000 places, uniform over 0.36 m
+        self.assertIn("voidage is of 50 x 25 x 200 cells in the gas mesh's domain, as there is no", text)
+        with h5py.File(os.path.join(run, "results.h5"), "r") as file:
+            numpy.testing.assert_allclose(file["profiles/window_centre"], [0.02, 0.06, 0.1, 0.14, 0.18])
+            self.assertGreater(file["profiles"].attrs["from"], start - 1e-9)
+
+    def test_without_gas_the_box_about_the_spheres(self):
+        text = self.report(self.bare("one", 60), "--from", 1)
+        self.assertIn("in the box about all spheres", text)
+        self.assertNotIn("outside the mesh", text)
+
+    def test_a_mesh_that_is_no_uniform_box(self):
+        for old, new, says in (
+            ("simpleGrading (1 1 1)", "simpleGrading (1 1 2)", "graded"),
+            ("blocks (hex", "blocks (hex (0 1 2 3 4 5 6 7) (1 1 1) simpleGrading (1 1 1) hex", "2 blocks"),
+            ("(0 $depth $height)", "(0.1 $depth $height)", "no upright box"),
+        ):
+            with self.subTest(new):
+                run = self.run_of("one", 30)
+                self.write("one", "system/blockMeshDict", MESH_DICT.replace(old, new))
+                self.assertRegex(self.report(run, "--no-write"), f"note: voidage is of .* cells in the box about all spheres, as .*{says}")
+                own = REPORT_DICT.replace("voidage {", "voidage { low (0 0 0); high (0.2 0.1 0.4); cells (4 2 8);")
+                self.write("one", "system/reportDict", own)
+                self.assertNotIn("voidage is of", self.report(run, "--no-write"))
+
+    def test_a_start_beyond_the_end(self):
+        """cases/sscp1 says `from 10`; its first second is reported all the same, nothing of it is trusted, and all is told."""
+        run = self.run_of("one", 21)
+        for name in ("parameters", "system/reportDict", "system/blockMeshDict"):
+            shutil.copy(os.path.join(SOURCE, "cases/sscp1", name), os.path.join(run, name))
+        text = self.report(run)
+        self.assertIn("from 0.5 to 1 s (the latter half, as start-up is not known to be over)", text)
+        self.assertRegex(text, r"note: `from` = 10 s of system/reportDict is after what there is in all runs, which ends at 1 s")
+        self.assertRegex(text, r"A: (\d+) of \1 means have no error that is to be trusted; .* all at [0-9.]+ s")
+        self.assertRegex(text, r"bed height \[m\] +0.3 \+- 0 \?")
+        self.assertIn("from 0.3 to 1 s (--from)", self.report(run, "--from", 0.3))
+
+    def test_windows_elsewhere(self):
+        run = self.run_of("one", 60)
+        with h5py.File(os.path.join(run, "results.h5"), "r+") as file:
+            file["meta"].attrs["domain"] = [[0, 0, 0], [0.2, 0.1, 0.4]]
+        self.write("one", "system/reportDict", REPORT_DICT.replace("centre 0.15", "centre 5"))
+        text = self.report(run, "--no-write")
+        self.assertRegex(text, r"z = 4.95 to 5.05 m is outside the gas mesh's domain, 0 to 0.4 m; the default is taken")
+        self.write("one", "system/reportDict", REPORT_DICT.replace("right $width", "right 0.3"))
+        text = self.report(run, "--no-write")
+        self.assertRegex(text, r"x = 0 to 0.3 m is partly outside the gas mesh's domain, 0 to 0.2 m\n")
+        self.assertIn("2 windows over x = 0 to 0.3 m", text)
+
+    def test_one_snapshot_and_none(self):
+        text = self.report(self.bare("one", 1, results=False), "--no-write")
+        self.assertRegex(text, r"overlapping pairs per sphere +0.003333 \+- \?")
+        self.assertIn("one sample only", text)
+        for name in ("none", "empty", "bare"):
+            run = self.bare(name, 60)
+            os.remove(os.path.join(run, "particles.h5"))
+            if name != "none":
+                with h5py.File(os.path.join(run, "particles.h5"), "w") as file:
+                    if name == "empty":
+                        file.create_group("snapshots")
+            text = self.report(run)
+            self.assertRegex(text, "pressure drop .Pa. +[0-9]")
+            self.assertIn("no snapshots were recorded", text)
+            self.assertNotIn("overlaps below", text)
+
+    def test_runs_of_other_lengths(self):
+        """The longest start-up counts for all; where it ends after the shortest run, that is told."""
+        long, short = self.bare("long", 300), self.bare("short", 150, seed=4)
+        self.assertRegex(self.report(long, short, "--no-write"), r"^from [0-9.]+ to 7.45 s \(start-up found by MSER-5")
+        with h5py.File(os.path.join(long, "results.h5"), "r+") as file:
+            file["series/pressure_drop"][:80] += 1000
+        text = self.report(long, short, "--no-write", "--from", 4)
+        self.assertIn("from 4 to 7.45 s", text)
+        shorter = self.bare("shorter", 60, seed=5)
+        text = self.report(long, shorter, "--no-write")
+        self.assertRegex(text, r"note: long: start-up not known to be over: it ends at [0-9.]+ s, what all runs have at 2.95 s")
+        self.assertRegex(text, r"B against A: 0 agree, 0 differ, \d+ not judged")
+
+    def test_vessels_that_differ(self):
+        a, b = self.bare("a", 60, domain=[[0, 0, 0], [0.2, 0.1, 0.4]]), self.bare("b", 60, domain=[[0, 0, 0], [0.3, 0.1, 0.4]])
+        text = self.report(a, b, "--no-write", "--from", 1)
+        self.assertIn("note: the runs' vessels differ (0.2 x 0.1 x 0.4 m; 0.3 x 0.1 x 0.4 m)", text)
+        self.assertIn("x = 0 to 0.3 m", text)
+
+    def test_sizes_far_apart(self):
+        run = self.bare("one", 30)
+        with h5py.File(os.path.join(run, "particles.h5"), "r+") as file:
+            for group in file["snapshots"].values():
+                group["diameter"][5] = 0.01
+        self.assertIn("overlaps are not measured: diameters of 0.001 to 0.01 m", self.report(run, "--no-write", "--from", 1))
+        self.write("one", "system/reportDict", "overlaps { }")
+        self.assertIn("overlaps below", self.report(run, "--no-write", "--from", 1))
+
+    def test_the_help_has_every_key(self):
+        for block, keys in KEYS.items():
+            for key in keys:
+                self.assertRegex(report_tool.DETAILS, rf"(?m)^ +{key}( \[|  )", f"{block}/{key}")
 
 
 class Refused(Folder):
@@ -451,7 +635,7 @@ class Refused(Folder):
     def test_no_such_run(self):
         self.refused(os.path.join(self.folder, "none"), says="no such folder")
         os.makedirs(os.path.join(self.folder, "empty"))
-        self.refused(os.path.join(self.folder, "empty"), says="no particles.h5")
+        self.refused(os.path.join(self.folder, "empty"), says="neither particles.h5 nor results.h5")
 
     def test_no_results(self):
         run = self.run_of("one", 30, results=False)
@@ -477,18 +661,11 @@ class Refused(Folder):
 
     def test_no_snapshots_in_the_range(self):
         run = self.run_of("one", 10)
-        self.refused(run, says=[r"no snapshots from 1 to 0\.45 s", r"from 0 to 0\.45 s", "`from` of the case is 1 s"])
         self.refused(run, "--from", 0.41, "--until", 0.44, says="no snapshots from 0.41 to 0.44")
         self.refused(run, "--from", 2, "--until", 1, says="is after --until")
 
-    def test_no_report_file_in_the_case(self):
-        run = self.run_of("one", 30)
-        os.remove(os.path.join(run, "system/reportDict"))
-        self.refused(run, says=["system/reportDict: no such file", "--scene"])
-        scene = os.path.join(self.folder, "scene")
-        shutil.copy(os.path.join(self.run_of("two", 30), "system/reportDict"), scene)
-        self.report(run, "--scene", scene)
-        self.refused(run, "--scene", scene + "x", says="no such file")
+    def test_no_such_scene_file(self):
+        self.refused(self.run_of("one", 30), "--scene", os.path.join(self.folder, "scene"), says="no such file")
 
     def test_runs_that_measure_different_things(self):
         a, b = self.run_of("a", 30), self.run_of("b", 30)
@@ -502,7 +679,6 @@ class Refused(Folder):
             ("overlaps {", "overlap {", "overlap is unknown: did you mean 'overlaps'"),
             ("from 1", "start 1", "start is unknown"),
             ("count 2", "count 2.5", "windows/count = 2.5: a whole number"),
-            ("count 2; ", "", "no entry windows/count"),
             ("$width", "$widht", r"\$widht is not in this file or .*parameters"),
             ("right $width", "right -1", "is not right of"),
             ("(50 90)", "(50 100)", "between 0 and 100"),
@@ -517,24 +693,6 @@ class Refused(Folder):
                 self.assertIn(old, REPORT_DICT)
                 self.write("one", "system/reportDict", REPORT_DICT.replace(old, new, 1))
                 self.refused(run, says=list(says))
-
-    def test_a_mesh_that_is_no_uniform_box(self):
-        run = self.run_of("one", 30)
-        for old, new, says in (
-            ("simpleGrading (1 1 1)", "simpleGrading (1 1 2)", "graded"),
-            ("blocks (hex", "blocks (hex (0 1 2 3 4 5 6 7) (1 1 1) simpleGrading (1 1 1) hex", "2 blocks"),
-            ("(0 $depth $height)", "(0.1 $depth $height)", "no upright box"),
-        ):
-            with self.subTest(new):
-                self.write("one", "system/blockMeshDict", MESH_DICT.replace(old, new))
-                self.refused(run, says=["add windows/front"])
-                front = REPORT_DICT.replace("windows {", "windows { front 0;")
-                self.write("one", "system/reportDict", front)
-                self.refused(run, says=["uniform mesh of boxes", says])
-                own = front.replace("voidage {", "voidage { low (0 0 0); high (0.2 0.1 0.4); cells (4 2 8);")
-                self.write("one", "system/reportDict", own)
-                self.report(run, "--no-write")
-                self.write("one", "system/reportDict", REPORT_DICT)
 
     def test_bad_options(self):
         run = self.run_of("one", 30)

@@ -6,14 +6,22 @@ import json
 import math
 import os
 import sys
+from dataclasses import dataclass
 
-from interphase import report_file, report_figure, report_scene, report_table, run_report
+from interphase import report_file, report_figure, report_keys, report_scene, report_table, run_report
 from interphase.input_error import InputError
 from interphase.matching_times import Matching
+from interphase.report_scene import BoxMesh
+from interphase.report_vessel import box_of, vessel_of
 from interphase.run_records import find_run, open_h5
+from interphase.start_up import StartUp, later_half, start_up_of_run
 
-DETAILS = """What is measured where stands in the case's system/reportDict (see cases/sscp1). x goes across, y is the depth from
-the front wall on, z is up. From the snapshots of particles.h5:
+DETAILS = """Any run will do, of any vessel and length. x goes across, y is the depth from the front wall on, z is up.
+Start-up is left out: what comes before --from, else before `from` of system/reportDict, else the time that MSER-5
+finds in /series (pressure drop, bed height, kinetic energy, vertical velocity, number of particles; the latest of
+them). Where a record is too short to tell, its latter half is shown, and no mean of it is trusted. What is measured where is
+the vessel's (the box about the gas mesh, else about all spheres) unless system/reportDict says otherwise. From the
+snapshots of particles.h5:
 
   velocity               mean of all real particles in a window (those of a sphere whose centre is in it), counted as
                          often as they are seen there
@@ -30,16 +38,22 @@ front if each run tracks real particles, else full, since parcels are thicker th
 
 Each number comes with the standard error of its mean, autocorrelation taken in. With several runs each is compared
 with the first: the difference over its standard error sqrt(s1^2 + s2^2), and whether they agree (Welch's t,
---confidence for all quantities together). Records under 20 snapshots, or that drift, are not judged.
+--confidence for all quantities together). Records under 20 samples, or that drift, are not judged; the last lines say
+how long the run would have to be, as far as the record shows.
 
 The numbers go into each run's results.h5, below /profiles and /histograms, units as attributes; a second report
 replaces the first.
 
 exit code: 0, agreement or not; 2 where nothing can be reported (bad input, a run that is still going).
 
+keys of system/reportDict, an OpenFOAM dictionary (none has to be there; see cases/sscp1):
+
+@KEYS@
+
 examples:
+  tools/report runs/sscp1-CGPM-w8
   tools/report runs/sscp1-DEM-w1 runs/sscp1-CGPM-w8 --from 10
-  tools/report runs/sscp1-CGPM-w8 --from 0.5 --no-write --out start-up.png"""
+  tools/report runs/sscp1-CGPM-w8 --from 0.5 --no-write --out start-up.png""".replace("@KEYS@", "\n".join(report_keys.described()))
 
 
 class Arguments(argparse.ArgumentParser):
@@ -51,9 +65,9 @@ def arguments(given):
     parser = Arguments(
         prog="tools/report", description=__doc__, epilog=DETAILS, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("runs", metavar="RUN", nargs="+", help="a run's folder, with particles.h5 and results.h5")
+    parser.add_argument("runs", metavar="RUN", nargs="+", help="a run's folder, with results.h5 and particles.h5")
     parser.add_argument(
-        "--from", metavar="T", dest="start", type=number, help="leave out what is before T [s] (default: the case's)"
+        "--from", metavar="T", dest="start", type=number, help="leave out what is before T [s] (default: the case's, else found)"
     )
     parser.add_argument(
         "--until", metavar="T", dest="end", type=number,
@@ -64,7 +78,7 @@ def arguments(given):
     )
     parser.add_argument("--depth", choices=("front", "full"), help="the windows to show (default: see below)")
     parser.add_argument("--every", metavar="N", type=int, default=1, help="read each N-th snapshot only (default: 1)")
-    parser.add_argument("--scene", metavar="FILE", help="what to measure, instead of the runs' system/reportDict")
+    parser.add_argument("--scene", metavar="FILE", help="what to measure, instead of the runs' system/reportDict; same keys")
     parser.add_argument(
         "--confidence", metavar="C", type=number, default=0.95,
         help="of `agree` and `differ`, between 0 and 1 (default: 0.95)",
@@ -102,8 +116,12 @@ def opened(path, no_write):
         what = "is a file" if os.path.exists(path) else "no such folder"
         raise InputError(f"{path}: {what}; give a run's folder, such as runs/sscp1-CGPM-w8")
     run = find_run(path)
-    if run is None or run.particles is None:
-        raise InputError(f"{path}: there is no particles.h5 in it: no run of interphase has written particles there")
+    if run is None:
+        raise InputError(f"{path}: there is neither particles.h5 nor results.h5 in it: no run of interphase has written there")
+    if run.particles is not None:
+        with open_h5(run.particles) as file:
+            if "snapshots" not in file:
+                run.particles = None  # opened, but nothing written yet
     if not no_write:
         report_file.check_writable(run)
     return run
@@ -141,50 +159,113 @@ def names_of(runs):
     return short if len(set(short)) == len(short) else [os.path.normpath(run.path) for run in runs]
 
 
-def common_scene(runs, scene_file):
-    """What to measure: of all runs the same."""
-    scenes = [report_scene.read(run.path, scene_file) for run in runs]
-    for run, scene in zip(runs[1:], scenes[1:]):
-        if scene != scenes[0]:
-            what = ", ".join(name for name in ("windows", "overlaps", "voidage", "start")
-                             if getattr(scene, name) != getattr(scenes[0], name))
-            raise InputError(
-                f"{runs[0].path} and {run.path} do not measure the same ({what.replace('start', 'from')} of "
-                "system/reportDict or the mesh differ); give one for all by --scene FILE"
-            )
-    return scenes[0]
+def common_scene(files, runs, start, end):
+    """(`Scene`, notes): what to measure, of all runs the same."""
+    meshes = [report_scene.box_mesh(run.path) for run in runs]
+    mesh = meshes[0] if all(other == meshes[0] for other in meshes) else next(
+        (mesh for mesh in meshes if not isinstance(mesh, BoxMesh)), "the runs' meshes differ")
+    boxes = [box_of(run, own if isinstance(own, BoxMesh) else None) for run, own in zip(runs, meshes)]
+    where = Matching("time", None)
+    vessel, notes = vessel_of(runs, boxes, lambda time: where.inside(time, start, end))
+    found = [report_scene.scene_of(file, vessel, mesh) for file in files]
+    for run, (scene, _) in zip(runs[1:], found[1:]):
+        if scene != found[0][0]:
+            what = ", ".join(name for name in ("windows", "overlaps", "voidage") if getattr(scene, name) != getattr(found[0][0], name))
+            raise InputError(f"{runs[0].path} and {run.path} do not measure the same ({what} of system/reportDict differ); give one "
+                             "for all by --scene FILE")
+    return found[0][0], notes + found[0][1]
 
 
-def time_range(runs, scene, options):
-    """(start, end) [s] that all runs have snapshots in."""
-    start = scene.start if options.start is None else options.start
-    spans = []
-    for run in runs:
-        times = [frame.time for frame in run.frames()]
+def snapshot_times(run):
+    """Times of all snapshots [s]; none where none was recorded."""
+    return [frame.time for frame in run.frames()]
+
+
+@dataclass(frozen=True)
+class Range:
+    """`start` to `end` [s] in all runs, and `how` the start came about, a phrase; `unsettled`: per run its
+    `StartUp` where that is not known to be over, else None."""
+
+    start: float
+    end: float
+    how: str
+    unsettled: tuple
+
+
+def time_range(runs, names, files, options):
+    """(`Range`, notes) that all runs have snapshots, or rows of /series, in."""
+    spans, notes = [], []
+    for run, name in zip(runs, names):
+        times = snapshot_times(run)
         if not times:
-            raise InputError(f"{run.particles}: holds no snapshots yet")
-        spans.append((times[0], times[-1]))
-    end = min(last for _, last in spans) if options.end is None else options.end
+            notes.append(f"{name}: no snapshots were recorded: neither profiles nor overlaps nor voidage")
+            series = run.series()
+            times = [] if series is None else series[0]
+        if not len(times):
+            raise InputError(f"{run.path}: holds neither snapshots nor rows of /series: there is nothing to report")
+        spans.append((float(times[0]), float(times[-1])))
+    first, end = max(first for first, _ in spans), min(last for _, last in spans)
+    if options.end is not None:
+        end = options.end
+    settled = (None,) * len(runs)
+    if options.start is not None:
+        return _filled(runs, spans, Range(options.start, end, "--from", settled)), notes
+    if first > end:
+        raise InputError(f"the runs have no time in common: they go {' and '.join(f'from {a:g} to {b:g} s' for a, b in spans)}")
+    given = [start for file in files if (start := report_scene.start_of(file)) is not None]
+    if given and max(given) <= end:
+        return Range(max(given), end, "`from` of system/reportDict", settled), notes
+    if given:
+        notes.append(f"`from` = {max(given):g} s of {report_scene.SCENE} is after what there is in all runs, which ends at {end:g} s: "
+                     "the end of start-up is looked for instead")
+    found = [start_up_of_run(run, options.end) for run in runs]
+    ends = [each.end for each in found if each.end is not None]
+    for at, each in enumerate(found):
+        if each.end is not None and each.end >= end:
+            found[at] = StartUp(None, reason=f"it ends at {each.end:.4g} s, what all runs have at {end:.4g} s")
+    if any(each.reason for each in found):
+        for name, each in zip(names, found):
+            if each.reason:
+                more = "" if each.needed is None else f"; a run to t = {each.needed:.3g} s at least may tell"
+                notes.append(f"{name}: start-up not known to be over: {each.reason}{more}")
+        start = max([later_half(first, end), *(each for each in ends if each < end)])
+        return Range(start, end, "the latter half, as start-up is not known to be over",
+                     tuple(each if each.reason else None for each in found)), notes
+    last = max(found, key=lambda each: each.end)
+    how = f"{last.by} settles last" if last.by else "steady from the first row on"
+    return Range(max(last.end, first), end, f"start-up found by MSER-5: {how}", settled), notes
+
+
+def _filled(runs, spans, wanted):
+    """The `Range` that was asked for; InputError where a run has nothing there."""
     where = Matching("time", None)
     for run, span in zip(runs, spans):
-        if not any(where.inside(frame.time, start, end) for frame in run.frames()):
-            raise InputError(
-                f"{run.path}: no snapshots from {start:g} to {end:g} s: it has them from {span[0]:g} to {span[1]:g} s; "
-                "choose by --from and --until" + (f" (`from` of the case is {scene.start:g} s)" if options.start is None else "")
-            )
-    return start, end
+        times = snapshot_times(run) or run.series()[0]
+        if not any(where.inside(time, wanted.start, wanted.end) for time in times):
+            raise InputError(f"{run.path}: no snapshots from {wanted.start:g} to {wanted.end:g} s: it has them from {span[0]:g} to "
+                             f"{span[1]:g} s; choose by --from and --until")
+    return wanted
+
+
+def described(windows, depth):
+    """The windows in words."""
+    low, high = windows.centre - windows.height / 2, windows.centre + windows.height / 2
+    slice_of = f"front slice of {windows.front_depth:.3g} m" if depth == "front_slice" else "full depth"
+    place = f"x = {windows.left:.4g} to {windows.right:.4g} m, z = {low:.4g} to {high:.4g} m, {slice_of}"
+    return f"{windows.count} window{'s' * (windows.count > 1)} over {place}"
 
 
 def report(options):
     runs = [opened(path, options.no_write) for path in options.runs]
-    scene = common_scene(runs, options.scene)
-    if not (scene.windows or scene.overlaps or scene.voidage):
-        print("tools/report: note: the case asks for neither windows nor overlaps nor voidage", file=sys.stderr)
-    start, end = time_range(runs, scene, options)
     names, where = names_of(runs), Matching("time", None)
+    files = [report_scene.opened(run.path, options.scene) for run in runs]
+    looked_at, notes = time_range(runs, names, files, options)
+    start, end = looked_at.start, looked_at.end
+    scene, more = common_scene(files, runs, start, end)
+    notes += more
     reports = []
-    for name, run in zip(names, runs):
-        inside = [frame.time for frame in run.frames() if where.inside(frame.time, start, end)]
+    for name, run, unsettled in zip(names, runs, looked_at.unsettled):
+        inside = [time for time in snapshot_times(run) if where.inside(time, start, end)]
         wanted = set(inside[::options.every])
 
         def progress(done, time):
@@ -192,8 +273,10 @@ def report(options):
                 print(f"\r{name}: snapshot {done} of {len(wanted)}, t = {time:.4g} s ", end="", file=sys.stderr, flush=True)
 
         reports.append(run_report.measure(
-            run, scene, lambda frame: frame.time in wanted, lambda time: where.inside(time, start, end), progress,
+            run, scene, lambda frame: frame.time in wanted, lambda time: where.inside(time, start, end), progress, unsettled,
         ))
+        if not wanted and snapshot_times(run):
+            reports[-1].notes.append(f"no snapshot lies between {start:g} and {end:g} s")
         if sys.stderr.isatty():
             print("\r\033[K", end="", file=sys.stderr, flush=True)
     if options.depth:
@@ -201,8 +284,10 @@ def report(options):
     else:
         depth = "front_slice" if all(weight_of(run) == 1 for run in runs) else "full_depth"
 
-    print(f"from {start:g} to {end:g} s" + (f"; windows: {depth.replace('_', ' ')}" if scene.windows else ""))
+    print(f"from {start:g} to {end:g} s ({looked_at.how})" + (f"; {described(scene.windows, depth)}" if scene.windows else ""))
     print("\n".join(report_table.text(names, reports, depth, options.confidence)))
+    for note in notes:
+        print(f"note: {note}")
     for name, run, each in zip(names, runs, reports):
         if start := started_from(run):
             print(f"note: {name}: {start}")
