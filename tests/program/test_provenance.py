@@ -28,6 +28,14 @@ class Provenance(support.ProgramTest):
         self.assertRegex(version(), r"\Ainterphase \d+\.\d+\.\d+, commit ([0-9a-f]{40}( with uncommitted changes)?|unknown)\n"
                          r"built by \S+ [\d.]+, \w+: .*\nengines: LIGGGHTS \d\S*, OpenFOAM \d+\n\Z")  # fmt: skip
 
+    def test_usage(self):
+        """Names every option that the program takes beside OpenFOAM's."""
+        for option in ("--help", "-h"):
+            said = subprocess.run([support.PROGRAM, option], env={"PATH": os.environ["PATH"]}, capture_output=True, text=True, timeout=60)
+            self.assertEqual((said.returncode, said.stderr), (0, ""))
+            for name in ("-case", "-parallel", "-resume", "-overwrite", "-wallLimit", "-help keys", "-version"):
+                self.assertIn(name, said.stdout)
+
     def test_of_results(self):
         for ranks in (1, 2):
             with self.subTest(ranks=ranks):

@@ -142,6 +142,20 @@ class Resume(ResumedMethods, support.ProgramTest):
         self.assertIn(f"Reached t = {self.end} s", support.read(folder, "log.interphase-2"))
         self.assertEqual(tools_run("--resume", "--overwrite").returncode, 2)
 
+    def test_of_a_run_at_its_end_adds_nothing(self):
+        folder, _ = self.ready("TDHS")
+        self.set_entry(folder, "system/controlDict", "endTime", self.stop)
+        done = self.run_case(folder)
+        with done.results() as results:
+            before = {name: column[:] for name, column in results["series"].items()}
+        snapshots = sorted(done.snapshots())
+        again = self.run_case(folder, options=["-resume"])
+        self.assertIn(f"Reached t = {self.stop} s", again.out)
+        with again.results() as results:
+            for name, column in before.items():
+                self.assertEqual(column.tobytes(), results["series"][name][:].tobytes(), name)
+        self.assertEqual(sorted(again.snapshots()), snapshots)
+
     def test_what_moves_is_told(self):
         """A scene whose state cannot be held runs on, without checkpoints."""
         folder, _ = self.ready("DEM")
