@@ -1,53 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "records/earlier_records.hpp"
 
-#include <hdf5.h>
-
 #include <algorithm>
 
-#include "base/numbers.hpp"
 #include "base/text.hpp"
+#include "base/user_error.hpp"
+#include "records/hdf5_file.hpp"
 
 namespace interphase {
 
 namespace {
 
-/// What is opened, or nothing.
-class Opened {
-public:
-    Opened(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
-    ~Opened()
-    {
-        if (id_ >= 0) close_(id_);
-    }
-    Opened(const Opened&) = delete;
-    Opened& operator=(const Opened&) = delete;
-    operator hid_t() const { return id_; }
-    bool there() const { return id_ >= 0; }
-
-private:
-    hid_t id_;
-    herr_t (*close_)(hid_t);
-};
-
-/// The times of a table.
-Scalars times(hid_t file, const std::string& path)
-{
-    const Opened data_set(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose);
-    if (!data_set.there()) return {};
-    const Opened space(H5Dget_space(data_set), H5Sclose);
-    const hssize_t count = space.there() ? H5Sget_simple_extent_npoints(space) : 0;
-    Scalars values(static_cast<std::size_t>(std::max<hssize_t>(count, 0)));
-    if (count > 0) H5Dread(data_set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
-    return values;
-}
-
-std::string of_results(hid_t file)
+std::string of_results(Hdf5File& file)
 {
     std::size_t rows = 0;
     double last = 0;
     for (const char* table : {"/series/time", "/ledger/time"}) {
-        const Scalars at = times(file, table);
+        const std::vector<double> at = file.numbers(table);
         if (at.empty()) continue;
         rows = std::max(rows, at.size());
         last = std::max(last, at.back());
@@ -55,24 +24,26 @@ std::string of_results(hid_t file)
     return rows == 0 ? "" : std::to_string(rows) + " rows, to t = " + text(last) + " s";
 }
 
-std::string of_snapshots(hid_t file)
+std::string of_snapshots(Hdf5File& file)
 {
-    const Opened group(H5Gopen2(file, "/snapshots", H5P_DEFAULT), H5Gclose);
-    H5G_info_t info;
-    if (!group.there() || H5Gget_info(group, &info) < 0 || info.nlinks < 2) return "";
-    return std::to_string(info.nlinks) + " snapshots";
+    const std::size_t count = file.names_in("/snapshots").size();
+    return count < 2 ? "" : std::to_string(count) + " snapshots";
 }
 
 }  // namespace
 
 std::optional<std::string> earlier_records(const std::filesystem::path& folder)
 {
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     std::string all;
-    const auto add = [&](const char* name, std::string (*look)(hid_t)) {
+    const auto add = [&](const char* name, std::string (*look)(Hdf5File&)) {
         if (!std::filesystem::exists(folder / name)) return;
-        const Opened file(H5Fopen((folder / name).c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-        const std::string words = file.there() ? look(file) : "cannot be read";
+        std::string words;
+        try {
+            Hdf5File file = Hdf5File::read((folder / name).string());
+            words = look(file);
+        } catch (const UserError&) {
+            words = "cannot be read";
+        }
         if (!words.empty()) all += (all.empty() ? "" : ", ") + std::string(name) + " (" + words + ")";
     };
     add("results.h5", of_results);

@@ -86,6 +86,12 @@ Hdf5File Hdf5File::open(const std::string& path)
     return {Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, path), false};
 }
 
+Hdf5File Hdf5File::read(const std::string& path)
+{
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    return {Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path), false};
+}
+
 Hdf5File Hdf5File::create(const std::string& path, const Communicator& comm)
 {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

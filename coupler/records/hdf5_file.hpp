@@ -37,6 +37,8 @@ public:
     static Hdf5File create(const std::string& path);
     /// An existing file by this rank alone, to be changed.
     static Hdf5File open(const std::string& path);
+    /// An existing file by this rank alone, only to be read.
+    static Hdf5File read(const std::string& path);
     /// A new file by all ranks.
     static Hdf5File create(const std::string& path, const Communicator& comm);
 

@@ -100,12 +100,12 @@ ParticleSnapshots::ParticleSnapshots(const Communicator& comm, std::optional<dou
 
 void ParticleSnapshots::take_up(double time)
 {
-    Hdf5File index = Hdf5File::open(index_file);
+    Hdf5File index = Hdf5File::read(index_file);
     const std::vector<std::string> names = index.names_in("/snapshots");
     for (const std::string& name : names) {
         const int number = std::atoi(name.c_str());
         if (!std::filesystem::exists(file_of(number))) continue;  // taken away to make room
-        Hdf5File file = Hdf5File::open(file_of(number));
+        Hdf5File file = Hdf5File::read(file_of(number));
         const double at = file.number_attribute("/", "time");
         if (at > time) break;
         count_ = number + 1;

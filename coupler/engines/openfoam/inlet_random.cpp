@@ -3,40 +3,36 @@
 
 #include <cstdint>
 
+#include "engines/openfoam/private_member.hpp"
 #include "fvMesh.H"
 #include "turbulentInletFvPatchField.H"
 #include "volFields.H"
 
 namespace interphase {
 
+struct RandomGenerator {
+    using Member = Foam::Rand48 Foam::Random::*;
+    friend Member place_of(RandomGenerator);
+};
+struct RandomOfScalarInlet {
+    using Member = Foam::Random Foam::turbulentInletFvPatchField<Foam::scalar>::*;
+    friend Member place_of(RandomOfScalarInlet);
+};
+struct RandomOfVectorInlet {
+    using Member = Foam::Random Foam::turbulentInletFvPatchField<Foam::vector>::*;
+    friend Member place_of(RandomOfVectorInlet);
+};
+template struct PrivateMember<RandomGenerator, &Foam::Random::generator_>;
+template struct PrivateMember<RandomOfScalarInlet, &Foam::turbulentInletFvPatchField<Foam::scalar>::ranGen_>;
+template struct PrivateMember<RandomOfVectorInlet, &Foam::turbulentInletFvPatchField<Foam::vector>::ranGen_>;
+
 namespace {
 
 using Foam::scalar, Foam::vector, Foam::turbulentInletFvPatchField;
 
-/// An explicit instantiation may name a private member.
-template <class Name, typename Name::Member member>
-struct Opened {
-    friend typename Name::Member place_of(Name) { return member; }
-};
-struct Generator {
-    using Member = Foam::Rand48 Foam::Random::*;
-    friend Member place_of(Generator);
-};
-struct OfScalar {
-    using Member = Foam::Random turbulentInletFvPatchField<scalar>::*;
-    friend Member place_of(OfScalar);
-};
-struct OfVector {
-    using Member = Foam::Random turbulentInletFvPatchField<vector>::*;
-    friend Member place_of(OfVector);
-};
-template struct Opened<Generator, &Foam::Random::generator_>;
-template struct Opened<OfScalar, &turbulentInletFvPatchField<scalar>::ranGen_>;
-template struct Opened<OfVector, &turbulentInletFvPatchField<vector>::ranGen_>;
-
 void keep(Archive& archive, const std::string& name, Foam::Random& random)
 {
-    Foam::Rand48& generator = random.*place_of(Generator{});
+    Foam::Rand48& generator = random.*place_of(RandomGenerator{});
     static_assert(sizeof generator == sizeof(std::uint64_t));
     if (!archive.loads() || archive.same_ranks()) return archive.keep(name, generator);
     std::uint64_t mixed = 0;
@@ -51,13 +47,13 @@ void keep(Archive& archive, const std::string& name, Foam::Random& random)
 void keep_random_numbers(Archive& archive, const std::string& name, Foam::fvPatchField<scalar>& condition)
 {
     auto* inlet = dynamic_cast<turbulentInletFvPatchField<scalar>*>(&condition);
-    if (inlet) keep(archive, name, inlet->*place_of(OfScalar{}));
+    if (inlet) keep(archive, name, inlet->*place_of(RandomOfScalarInlet{}));
 }
 
 void keep_random_numbers(Archive& archive, const std::string& name, Foam::fvPatchField<vector>& condition)
 {
     auto* inlet = dynamic_cast<turbulentInletFvPatchField<vector>*>(&condition);
-    if (inlet) keep(archive, name, inlet->*place_of(OfVector{}));
+    if (inlet) keep(archive, name, inlet->*place_of(RandomOfVectorInlet{}));
 }
 
 }  // namespace interphase

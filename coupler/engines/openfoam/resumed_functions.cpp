@@ -11,25 +11,21 @@
 
 #include "base/free_name.hpp"
 #include "base/text.hpp"
+#include "engines/openfoam/private_member.hpp"
 #include "functionObjectList.H"
 #include "timeControlFunctionObject.H"
 
 namespace interphase {
 
-namespace {
-
-namespace fs = std::filesystem;
-
-/// An explicit instantiation may name a private member.
-template <class Name, typename Name::Member member>
-struct Opened {
-    friend typename Name::Member place_of(Name) { return member; }
-};
 struct ExecutionIndex {
     using Member = Foam::label Foam::timeControl::*;
     friend Member place_of(ExecutionIndex);
 };
-template struct Opened<ExecutionIndex, &Foam::timeControl::executionIndex_>;
+template struct PrivateMember<ExecutionIndex, &Foam::timeControl::executionIndex_>;
+
+namespace {
+
+namespace fs = std::filesystem;
 
 /// What OpenFOAM gives nobody to set.
 struct OpenTime : Foam::Time {

@@ -6,11 +6,10 @@ import json
 import math
 import os
 import sys
-import traceback
 
 CANNOT = 2
 
-from interphase import comparison, comparison_report
+from interphase import comparison, comparison_report, exits
 from interphase.difference import Tolerances
 from interphase.input_error import InputError
 
@@ -179,11 +178,4 @@ def main(given):
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main(sys.argv[1:]))
-    except KeyboardInterrupt:
-        sys.exit(130)
-    except Exception:  # a mistake of ours must not read as "different"
-        traceback.print_exc()
-        print("tools/compare: a mistake in tools/compare, not in your files; nothing was concluded", file=sys.stderr)
-        sys.exit(CANNOT)
+    exits.with_verdict(main, "tools/compare", CANNOT)

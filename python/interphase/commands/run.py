@@ -13,7 +13,7 @@ import subprocess
 import sys
 import time
 
-from interphase import case_folder, earlier_run, ending, launch, mesh_choice, parts, run_state
+from interphase import case_folder, earlier_run, ending, exits, launch, mesh_choice, parts, run_state
 from interphase.case_folder import CONTROL, COUPLING, PARAMETERS
 from interphase.input_error import InputError
 from interphase.missing import words_on
@@ -348,18 +348,4 @@ def run(given, name, folder, gas, command, record, log, variables, environment, 
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except InputError as refused:
-        print(f"tools/run: error: {refused}", file=sys.stderr)
-        sys.exit(2)
-    except launch.StepFailed as failed:
-        print(f"tools/run: error: {failed}", file=sys.stderr)
-        sys.exit(failed.code)
-    except OSError as error:
-        print(f"tools/run: error: {error.filename or 'a file'}: {error.strerror}; the run's folder must be yours to write "
-              "and have room: --out DIR takes another one", file=sys.stderr)
-        sys.exit(1)
-    except KeyboardInterrupt:
-        print("tools/run: stopped", file=sys.stderr)
-        sys.exit(130)
+    exits.after(main, "tools/run", "run's folder")

@@ -11,7 +11,7 @@ import os
 import shutil
 import sys
 
-from interphase import case_folder, launch, sweep_plan, sweep_runs
+from interphase import case_folder, exits, launch, sweep_plan, sweep_runs
 from interphase.commands import run as tools_run
 from interphase.input_error import InputError
 from interphase.missing import module
@@ -159,15 +159,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except InputError as refused:
-        print(f"tools/sweep: error: {refused}", file=sys.stderr)
-        sys.exit(2)
-    except launch.StepFailed as failed:
-        print(f"tools/sweep: error: {failed}", file=sys.stderr)
-        sys.exit(failed.code)
-    except OSError as error:
-        print(f"tools/sweep: error: {error.filename or 'a file'}: {error.strerror}; the sweep's folder must be yours to write and have room: "
-              "--out DIR takes another one", file=sys.stderr)  # fmt: skip
-        sys.exit(1)
+    exits.after(main, "tools/sweep", "sweep's folder")

@@ -6,9 +6,8 @@ import os
 import re
 import sys
 import tempfile
-import traceback
 
-from interphase import validation
+from interphase import exits, validation
 from interphase.input_error import InputError
 
 CANNOT = 2
@@ -111,11 +110,4 @@ def main(given):
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main(sys.argv[1:]))
-    except KeyboardInterrupt:
-        sys.exit(130)
-    except Exception:  # a mistake of ours must not read as "different"
-        traceback.print_exc()
-        print("tools/validate: a mistake in tools/validate, not in your files; nothing was concluded", file=sys.stderr)
-        sys.exit(CANNOT)
+    exits.with_verdict(main, "tools/validate", CANNOT)
