@@ -115,10 +115,11 @@ int CoupledRun::run()
     requests_.emplace();
     const double start = case_.time();
     try {
-        bool nothing_new = kept_.has_value();
-        if (nothing_new) go_on();
+        const bool goes_on = kept_.has_value();
+        if (goes_on) go_on();
+        bool nothing_new = goes_on && records_->hold_this_moment();
         records_->describe(clock_.solid_step(), gas_step_);
-        if (!nothing_new) record(true);
+        if (!goes_on) record(true);
         while (case_.running()) {
             const double before = report_.wall_seconds();
             follow_end_time();

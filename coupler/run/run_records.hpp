@@ -55,6 +55,9 @@ public:
     /// What is due now. A UserError where the disk is full.
     void record(const Moment& moment);
 
+    /// Whether earlier records reach this moment: with a snapshot of it.
+    bool hold_this_moment() const { return snapshots_.last() == scene_.gas_case.time(); }
+
     /// What was seen when last a row, a line or the end was due.
     const Observation& last_seen() const { return last_seen_; }
 

@@ -105,15 +105,15 @@ class Sweep:
     def count(self, *which):
         return sum(each in which for each in self.stand.values())
 
-    def go(self):
-        """Make what is missing. Returns whether all has been tried: not so after SIGINT, SIGTERM or SIGHUP, which end the runs after the gas step in
-        progress, a second one at once."""
+    @contextlib.contextmanager
+    def listening(self):
+        """For as long as it lasts, SIGINT, SIGTERM and SIGHUP end the runs after the gas step in progress, a second one at once."""
         before = {}
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             if signal.getsignal(number) != signal.SIG_IGN:  # nohup stays nohup
                 before[number] = signal.signal(number, self._ask_to_stop)
         try:
-            return self._go()
+            yield
         finally:
             for number, handler in before.items():
                 signal.signal(number, handler)
@@ -121,7 +121,8 @@ class Sweep:
     def _ask_to_stop(self, *_):
         self._asked_to_stop += 1
 
-    def _go(self):
+    def go(self):
+        """Make what is missing. Returns whether all has been tried: not so after a signal that it is `listening` to."""
         for point in self.points:
             if self.stand[point.name] == RUNNING:  # of an earlier call, which was killed
                 self._began(point, Run(self.path(point)))

@@ -140,14 +140,15 @@ def main():
         sweep = sweep_runs.Sweep(points, folder, sweep_runs.Notes(folder, case, digest), given.ranks, jobs, given.retry, say)
         sweep.notes.write()
         counts = ", ".join(f"{sweep.count(stand)} {stand}" for stand in (DONE, RUNNING, GO_ON, NEW, HOLE) if sweep.count(stand))
-        say(f"{len(points)} runs of {name} in {folder}: {counts}; {jobs} at a time")
         whole = True
-        if sweep.count(NEW, GO_ON, RUNNING):
-            os.environ["INTERPHASE_BIN"] = tools_run.program(quiet=False)  # once, before several at a time would
-            if jobs > 1:
-                # Each mpirun would bind its ranks to the same first cores.
-                os.environ.setdefault("OMPI_MCA_hwloc_base_binding_policy", "none")
-            whole = sweep.go()
+        with sweep.listening():
+            say(f"{len(points)} runs of {name} in {folder}: {counts}; {jobs} at a time")
+            if sweep.count(NEW, GO_ON, RUNNING):
+                os.environ["INTERPHASE_BIN"] = tools_run.program(quiet=False)  # once, before several at a time would
+                if jobs > 1:
+                    # Each mpirun would bind its ranks to the same first cores.
+                    os.environ.setdefault("OMPI_MCA_hwloc_base_binding_policy", "none")
+                whole = sweep.go()
         report(sweep, given, name)
         if not whole:
             print(f"tools/sweep: stopped; {sweep.count(NEW, GO_ON)} runs are not at their end. The same command goes on", file=sys.stderr)
