@@ -32,7 +32,7 @@ exit code, the worst of all ranks:
 
 examples:
   tools/validate my.liggghts
-  tools/validate cases/sscp1 --set method=CGPM --set weight=64 --until 0.02
+  tools/validate cases/sscp1 --method CGPM --weight 64 --until 0.02
   tools/validate my.liggghts --ranks 1 --only-coupler friction=0.5     # made wrong on purpose: must end with 1"""
 
 
@@ -51,8 +51,8 @@ def arguments(given):
     parser.add_argument("--var", metavar="NAME=VALUE", action="append", default=[], help="a variable of the script, on both sides")
     parser.add_argument("--only-coupler", metavar="NAME=VALUE", action="append", default=[], dest="wrong",
                         help="a variable's other value in the coupler alone: to see that a difference is found")
-    parser.add_argument("--weight", metavar="W", type=float, help="of a script: real particles in each parcel (default: 1)")
-    parser.add_argument("--method", help="of a script: DEM, CGPM, ... (default: DEM, with a weight CGPM)")
+    parser.add_argument("--weight", metavar="W", type=float, help="real particles in each parcel (default: the case's; of a script 1)")
+    parser.add_argument("--method", help="DEM, CGPM, ... (default: the case's; of a script DEM, with a weight CGPM)")
     parser.add_argument("--plugin", metavar="NAME", action="append", default=[], help="of a script: a plug-in that it wants")
     parser.add_argument("--out", metavar="DIR", help="keep both runs here: a folder that is empty or not there (default: deleted)")
     options = parser.parse_args(given)
@@ -65,10 +65,12 @@ def arguments(given):
     if options.until is not None and not options.until > 0:
         raise InputError(f"--until {options.until:g}: give a time above 0 s")
     is_case = os.path.isdir(options.scene)
-    wrong_kind = ("weight", "method", "plugin") if is_case else ("until", "settings")
+    wrong_kind = ("plugin",) if is_case else ("until", "settings")
     for name in wrong_kind:
         if getattr(options, name):
             raise InputError(f"--{name.replace('settings', 'set')} is not for {'a case' if is_case else 'a script'}; see --help")
+    if is_case:
+        options.settings += [f"{name}={value}" for name, value in (("method", options.method), ("weight", options.weight)) if value is not None]
     return options
 
 
