@@ -45,7 +45,9 @@ def path(name):
 
 
 def read(name):
-    """(lines of its head, rows as dicts of texts)"""
+    """(lines of its head, rows as dicts of texts); none of a test that is not recorded yet."""
+    if not os.path.exists(path(name)):
+        return [], []
     with open(path(name), encoding="utf-8", newline="") as file:
         lines = file.readlines()
     head = [line[2:].strip() for line in lines if line.startswith("# ")]
@@ -72,7 +74,7 @@ def _shown(row):
 def _tables(place):
     found = [read(name) for name in place[1].split()]
     rows = [tables.markdown_row(cell.replace("|", "\\|").replace("<", "\\<") for cell in _shown(row)) for _, rows in found for row in rows]
-    heads = dict.fromkeys("; ".join(head) for head, _ in found)
+    heads = dict.fromkeys("; ".join(head) for head, _ in found if head)
     return "\n".join([tables.markdown_head(["what", "measured", "right value", "the test allows", "by", "command"]), *rows, "",
                       *(f"*{head}.*  " for head in heads)])  # fmt: skip
 
@@ -112,8 +114,13 @@ def store(folder):
             file.writelines(f"# {line}\n" for line in head)
             csv.writer(file, lineterminator="\n").writerows([COLUMNS, *(row + [_command(name)] for row in rows)])
         print(f"{len(rows):4d} rows of {name}")
+    write()
+
+
+def write():
+    whole = text()
     with open(PAGE, "w", encoding="utf-8") as file:
-        file.write(text())
+        file.write(whole)
 
 
 def main():
@@ -127,8 +134,7 @@ def main():
     if given.store:
         store(given.store)
     if given.write:
-        with open(PAGE, "w", encoding="utf-8") as file:
-            file.write(text())
+        write()
 
 
 if __name__ == "__main__":
