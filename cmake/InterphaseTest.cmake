@@ -112,7 +112,7 @@ function(interphase_set_test_properties name)
         set(test_PROCESSORS 1)
     endif()
     set_tests_properties(${name} PROPERTIES
-        ENVIRONMENT "${_interphase_test_environment}"
+        ENVIRONMENT "${_interphase_test_environment};INTERPHASE_TEST=${name}"
         LABELS "${test_LABELS}"
         PROCESSORS ${test_PROCESSORS}
         TIMEOUT ${test_TIMEOUT})

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "mapping/joints.hpp"
+#include "support/measured.hpp"
 #include "support/mesh_zoo.hpp"
 #include "support/sizings.hpp"
 #include "support/world.hpp"
@@ -97,9 +98,15 @@ MappingRules rules_of(MappingType type)
 TEST(UniformDensity, FillsEveryCellWithItsOwnVolume)
 {
     // small spheres, which are single points and not spread by diffusion
+    double worst = 0;
     for (const NamedMesh& each : plane_meshes())
-        EXPECT_LT(error_of_filling(each.mesh, integrated(each.mesh, 0.03), rules_of(MappingType::kernel)), rounding)
-            << each.name;
+        worst =
+            std::max(worst, error_of_filling(each.mesh, integrated(each.mesh, 0.03), rules_of(MappingType::kernel)));
+    expect_below(
+        {"a uniform density of solids in " + std::to_string(plane_meshes().size()) +
+             " meshes of plane faces (boxes, refined, tetrahedra, prisms, polyhedra): a cell's solid fraction off it",
+         "", "exact: cubature"},
+        worst, rounding);
     const WholeMesh mesh = tetrahedra({3, 3, 2});
     EXPECT_LT(error_of_filling(mesh, integrated(mesh, 0.03), rules_of(MappingType::cell_centre)), rounding);
 }

@@ -10,6 +10,7 @@ import unittest
 import numpy
 from scipy.integrate import solve_ivp
 
+import measured
 import support
 from interphase.uniform_suspension import Suspension
 
@@ -38,8 +39,8 @@ class Periodic(support.ProgramTest):
                     if time > 0.06:
                         found.append(-one["velocity"][middle, 2].mean())
                 # solids of the cells vary by some percent, and drag is not linear in them
-                self.assertAlmostEqual(numpy.mean(found) / law, 1, delta=0.015)
-                print(f"{method}, weight {weight}: {1e3 * numpy.mean(found):.2f} mm/s, hindered velocity {1e3 * law:.2f}")
+                measured.within(self, f"suspension of solid fraction 0.3 in water, {method}: settling velocity", numpy.mean(found), law, 0.015 * law, "m/s",
+                                "Wen and Yu, hindered")  # fmt: skip
 
     def test_any_cut_through_the_sides_gives_the_same(self):
         def state(name, **options):
@@ -75,7 +76,8 @@ class Periodic(support.ProgramTest):
                 found = [snapshots[t]["velocity"][:, 2].mean() for t in times]
                 # the drag rate is held over a gas step of a sixtieth of the relaxation time, and the first of them starts at rest
                 numpy.testing.assert_allclose(found[1:], exact[1:], rtol=0.02)
-                print(f"{method}: {found[-1]:.4f} m/s after {times[-1]:g} s, exact {exact[-1]:.4f}")
+                measured.within(self, f"suspension falling without ends, {method}: velocity after 0.05 s", found[-1], exact[-1], 0.02 * abs(exact[-1]), "m/s",
+                                "two coupled equations of motion")  # fmt: skip
 
     def test_what_repeats_otherwise_is_refused(self):
         folder = self.prepared("periodic-duct", "other")
@@ -115,8 +117,8 @@ class Periodic(support.ProgramTest):
                 self.assertLess(exact[-1], 0.35 * start)
                 # 3666 components have a deviation of 1.2 % of their own; the gas takes from them what they have in common in a cell,
                 # and velocities that collisions have shaped are not quite Gaussian
-                numpy.testing.assert_allclose(found, exact, rtol=0.05)
-                print(f"{method}: {' '.join(f'{1e3 * s:.2f}' for s in found)} mm/s, theory {' '.join(f'{1e3 * s:.2f}' for s in exact)}")
+                measured.below(self, f"cooling grains in air, {method}: largest difference of their random velocity from theory", 100 * abs(found / exact - 1).max(),
+                               5, "%", "Lun et al., J. Fluid Mech. 140 (1984) 223, and drag")  # fmt: skip
 
 
 if __name__ == "__main__":

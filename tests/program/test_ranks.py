@@ -14,6 +14,7 @@ import unittest
 
 import numpy
 
+import measured
 import support
 
 STEPS = 50
@@ -86,10 +87,13 @@ class RoundOffGrowth(support.ProgramTest):
         # out here by decades (a parcel falls by 4e-4 of the height in this time).
         for ranks, difference in by_ranks.items():
             self.assertEqual(difference[0], 0, f"{ranks} ranks start from other positions")
-            self.assertLess(difference[1], 1e-10, f"{ranks} ranks after 10 steps")
+            measured.below(self, f"bubbling bed (cases/sscp1), {ranks} ranks against 1: positions apart after 10 gas steps, of the vessel's height",
+                           difference[1], 1e-10, "", "one rank")
             # below the floor both are round-off of the positions themselves
             allowed = numpy.maximum(self.SPREAD * yardstick, 1e-14)
             self.assertTrue((difference <= allowed).all(), f"{ranks} ranks: {difference} above {allowed}")
+            measured.below(self, f"the same after 50 gas steps, of what a change of one coordinate by 1e-15 makes of a run on 1 rank ({yardstick[-1]:.0e})",
+                           difference[-1] / yardstick[-1], self.SPREAD, "", "growth of round-off")
         # ... and the yardstick itself is one: it starts at round-off, and 50 steps do not make the runs unrelated
         self.assertLess(yardstick[0], 1e-15)
         self.assertLess(yardstick[-1], 1e-2)

@@ -10,6 +10,7 @@ import unittest
 
 import numpy
 
+import measured
 import support
 
 # Box in diameters, cells of `cell` diameters; T long enough for some ten diameters of way. The air's sphere is light and gravity strong, so
@@ -71,11 +72,11 @@ class SelfDisturbance(support.ProgramTest):
         ):  # fmt: skip
             with self.subTest(name):
                 found = self.fall(name, fluid, cell, box, height, way)
-                print(f"{name}: terminal velocity {100 * (found - 1):+.1f} % off the law's")
-                self.assertAlmostEqual(found, 1, delta=0.05)
+                measured.within(self, f"one sphere in {name.split('-')[0]}, cells of {cell:g} d: terminal velocity over that in fluid at rest", found, 1, 0.05,
+                                "", "Schiller and Naumann")  # fmt: skip
 
     def test_without_the_correction_it_falls_too_fast(self):
-        self.assertGreater(self.fall("left", WATER, 2, 24, 48, 20, "left"), 1.12)
+        measured.above(self, "one sphere in water, cells of 2 d: the same without the correction", self.fall("left", WATER, 2, 24, 48, 20, "left"), 1.12)
 
     def test_a_packed_bed_does_not_feel_it(self):
         drops = {}
@@ -85,7 +86,8 @@ class SelfDisturbance(support.ProgramTest):
             self.edit(case, "system/couplingDict", r"law\s+\$dragLaw;", f"law $dragLaw; selfDisturbance {correction};")
             with self.run_case(self.prepared(case, correction, until=0.02)).results() as file:
                 drops[correction] = file["series/pressure_drop"][-1]
-        self.assertAlmostEqual(drops["corrected"] / drops["left"], 1, delta=1e-3)  # some particles at its surface see it
+        # some particles at its surface see it
+        measured.within(self, "packed bed: pressure drop with the correction over that without", drops["corrected"] / drops["left"], 1, 1e-3)
 
 
 if __name__ == "__main__":

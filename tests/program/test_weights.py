@@ -16,6 +16,7 @@ import unittest
 import numpy
 
 import boxes
+import measured
 import support
 
 SIZE, CELLS = (0.06, 0.03, 0.24), (6, 3, 24)
@@ -53,7 +54,8 @@ class Flight(support.ProgramTest):
                 # the fluid force is kept in single precision, 6e-8 of some 1 m/s
                 off = abs(snapshot["velocity"] - snapshot["velocity"][0]).max()
                 self.assertLess(off, 1e-7, f"{ranks} ranks, t = {time}")
-            print(f"{ranks} ranks: W = 1 to 1000 fall at {-snapshot['velocity'][0, 2]:.6f} m/s, apart by {off:.1e}")
+            measured.below(self, f"parcels of W = 1 to 1000 of 0.2 mm spheres falling in air at {-snapshot['velocity'][0, 2]:.3g} m/s, ranks: {ranks}: velocities apart",
+                           off, 1e-7, "m/s", "W = 1")  # fmt: skip
 
     def test_a_particle_alone_falls_the_same_way(self):
         """Without the property, with `weight 1;`: to the last bit that of W = 1 above."""

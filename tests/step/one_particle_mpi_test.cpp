@@ -4,16 +4,19 @@
 // that of the equation of motion, for each drag law from Re = 0.1 to 1000, and the error falls with the gas step.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include "forces/drag/drag_law.hpp"
+#include "support/measured.hpp"
 #include "support/scene.hpp"
 #include "support/world.hpp"
 
 namespace {
 
 using namespace interphase;
+using test::expect_below;
 using test::Particle;
 using test::Scene;
 using test::world;
@@ -108,6 +111,7 @@ INSTANTIATE_TEST_SUITE_P(, EachDragLaw, testing::ValuesIn(names_of_laws()),
 TEST_P(EachDragLaw, FallsAsTheEquationOfMotionSays)
 {
     if (world().size() > 1 && GetParam() != "BVK") GTEST_SKIP() << "all laws on one rank, one on several";
+    double worst = 0, worst_at_end = 0;
     for (const double reynolds : {0.1, 1.0, 10.0, 100.0, 300.0, 1000.0}) {
         const Settling settling(GetParam(), reynolds);
         const int substeps = 2, steps = 1200, steps_between_looks = 50;
@@ -118,13 +122,17 @@ TEST_P(EachDragLaw, FallsAsTheEquationOfMotionSays)
             scene->advance(substeps);
             if (n % steps_between_looks) continue;
             exact = settling.after(steps_between_looks * gas_step, exact);
-            ASSERT_NEAR(falling(*scene) / exact, 1.0, 0.005)
-                << "Re = " << reynolds << ", t = " << n / 100.0 << " relaxation times";
+            const double off = std::abs(falling(*scene) / exact - 1);
+            ASSERT_LT(off, 0.005) << "Re = " << reynolds << ", t = " << n / 100.0 << " relaxation times";
+            worst = std::max(worst, off);
         }
         EXPECT_NEAR(exact / settling.velocity, 1.0, 1e-3);  // it has arrived; exp(-12) and the jump of a law at Re 1000
-        EXPECT_NEAR(falling(*scene) / settling.velocity, 1.0, 0.005) << "Re = " << reynolds;
+        worst_at_end = std::max(worst_at_end, std::abs(falling(*scene) / settling.velocity - 1));
         EXPECT_LT(scene->step.ledger().momentum.residual(), 1e-12);
     }
+    const std::string name = GetParam() + ", one sphere at Re 0.1 to 1000: ";
+    expect_below({name + "v(t) off the equation of motion", "%", "Runge-Kutta of fourth order"}, 100 * worst, 0.5);
+    expect_below({name + "terminal velocity off the law's", "%", "weight = drag"}, 100 * worst_at_end, 0.5);
 }
 
 TEST(OneParticle, OneWayIsTheSameFall)
@@ -151,10 +159,11 @@ TEST(OneParticle, TheErrorFallsWithTheGasStepInFirstOrder)
             scene->advance(substeps);
         errors.push_back(std::abs(falling(*scene) - exact) / settling.velocity);
     }
-    for (std::size_t n = 1; n < errors.size(); ++n) {
-        const double order = std::log2(errors[n - 1] / errors[n]);
-        EXPECT_GT(order, 0.9) << errors[n - 1] << " -> " << errors[n];
-    }
+    double lowest = 10;
+    for (std::size_t n = 1; n < errors.size(); ++n)
+        lowest = std::min(lowest, std::log2(errors[n - 1] / errors[n]));
+    test::expect_above({"one sphere, order in the gas step", "", "first: drag is of the slip at the step's start"},
+                       lowest, 0.9);
     EXPECT_LT(errors.back(), 2e-3);
 }
 

@@ -5,9 +5,11 @@
 // drawn at random: balance_mpi_test.)
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
+#include "support/measured.hpp"
 #include "support/scene.hpp"
 #include "support/world.hpp"
 
@@ -66,6 +68,7 @@ TEST(Weights, ParcelsFlyAsTheirParticlesDo)
     for (const double weight : {1.0, 8.0, 27.0, 1000.0, 2.5})
         all.push_back(parcel(static_cast<int>(all.size()) + 1, weight,
                              Vector(0.3 + 0.7 * static_cast<double>(all.size()), 1.7, 9.4) * cell));
+    double worst = 0;
     for (const MappingType mapping : {MappingType::cell_centre, MappingType::kernel}) {
         Settings rules;
         rules.mapping.type = mapping;
@@ -78,9 +81,13 @@ TEST(Weights, ParcelsFlyAsTheirParticlesDo)
             s->advance(substeps);
         const Scalars v = velocities(*s, all.size());
         EXPECT_GT(Vector(v[0], v[1], v[2]).norm(), 0.1);
-        for (std::size_t i = 0; i < v.size(); ++i)  // the fluid force is kept in single precision: 6e-8 of 1 m/s
-            EXPECT_NEAR(v[i], v[i % 3], 1e-7) << "weight " << all[i / 3].weight;
+        for (std::size_t i = 0; i < v.size(); ++i)
+            worst = std::max(worst, std::abs(v[i] - v[i % 3]));
     }
+    // the fluid force is kept in single precision: 6e-8 of 1 m/s
+    test::expect_below(
+        {"parcels of W = 1 to 1000 of the same particles falling side by side: velocities apart", "m/s", "each other"},
+        worst, 1e-7);
 }
 
 /// In each cell 64 real particles at its centre, all with the same velocity: as parcels of the weights given.
@@ -100,6 +107,7 @@ std::vector<Particle> mixture(const std::vector<double>& weights)
 
 TEST(Weights, AMixtureTakesFromTheGasWhatSingleParticlesTake)
 {
+    double worst = 0;
     for (const MappingType mapping : {MappingType::cell_centre, MappingType::kernel}) {
         Settings rules;
         rules.mapping.type = mapping;
@@ -118,10 +126,13 @@ TEST(Weights, AMixtureTakesFromTheGasWhatSingleParticlesTake)
         const Vector of_single = momentum_given(std::vector<double>(64, 1.0));
         for (const auto& weights : {std::vector<double>{64}, {32, 16, 8, 4, 2, 1, 1}, {27, 27, 3.5, 1.5, 5}}) {
             const Vector of_mixture = momentum_given(weights);
-            // the fluid force is kept in single precision, 6e-8 of what is exchanged
-            EXPECT_LT((of_mixture - of_single).norm(), 1e-7 * exchanged) << weights.size() << " parcels a cell";
+            worst = std::max(worst, (of_mixture - of_single).norm() / exchanged);
         }
     }
+    // the fluid force is kept in single precision, 6e-8 of what is exchanged
+    test::expect_below({"momentum that parcels of mixed weights take from the gas, off that of single particles", "",
+                        "as much solid of W = 1"},
+                       worst, 1e-7);
 }
 
 }  // namespace

@@ -22,6 +22,7 @@ import numpy
 from scipy.signal import lfilter
 from scipy.stats import t as student
 
+import measured
 from interphase import comparison, statistical_comparison
 from interphase import time_statistics as statistics
 from interphase.commands import compare as compare_tool
@@ -437,10 +438,11 @@ class MeanAndItsError(unittest.TestCase):
             self.assertEqual(mean.reason, "")
             errors.append(mean.error / true)
             inside += abs(mean.value) < student.ppf(0.95, mean.freedom) * mean.error
-        self.assertAlmostEqual(numpy.mean(errors), 1, delta=bias)
+        measured.within(self, f"records of autoregression {[round(p, 3) for p in phi]}: stated error of the mean over the true one", numpy.mean(errors), 1, bias, "", "closed form")
         self.assertLess(numpy.mean(numpy.abs(numpy.array(errors) - 1) > 0.3), 0.1)
         # 90 % intervals: 180 of 200 +- 4.2 if exact; 168 allows for bias and 2 standard deviations.
-        self.assertGreater(inside, 168)
+        measured.above(self, f"records of autoregression {[round(p, 3) for p in phi]}: means of {count} samples of 200 within their 90 % interval", inside, 168, "",
+                       "180 expected, +- 4.2")
 
     def test_white_noise(self):
         self.check([], 500)
@@ -502,7 +504,8 @@ class MeanAndItsError(unittest.TestCase):
         for _ in range(400):
             pair = [statistics.mean_with_error(correlated(random, [0.8], n)) for n in (1000, 3000)]
             alarms += statistics.difference(*pair).chance < 0.05
-        self.assertLess(alarms, 20 + 3 * 4.4)  # 5 % of 400, binomial deviation 4.4
+        # 5 % of 400, binomial deviation 4.4
+        measured.below(self, "tools/compare --statistics: false alarms at 95 %, 400 pairs of correlated records of one mean", alarms, 20 + 3 * 4.4, "", "20 expected")
 
 
 class Statistics(Folder):

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "engines/openfoam/gas_case.hpp"
+#include "support/measured.hpp"
 
 namespace interphase::testing_gas {
 namespace {
@@ -56,17 +57,21 @@ double error(const std::vector<double>& relative)
 TEST(RoughPacking, HasTheVelocityOfTheFluxInsideALayerOfFourCells)
 {
     const std::vector<double> relative = relative_velocities([](int c) { return c / 4 % 2 ? 0.4 : 0.5; });
-    for (std::size_t i = 0; i < relative.size(); ++i) {
-        const bool inside = i % 4 == 1 || i % 4 == 2;
-        EXPECT_NEAR(relative[i], 1, inside ? 0.01 : 0.2) << i;  // at its faces the drop is shared with the neighbour
-    }
+    double worst[2] = {0, 0};
+    for (std::size_t i = 0; i < relative.size(); ++i)
+        worst[i % 4 == 1 || i % 4 == 2] = std::max(worst[i % 4 == 1 || i % 4 == 2], std::abs(relative[i] - 1));
+    const std::string name = "layers of four cells, voidage 0.4 and 0.5 in turn: velocity that drag sees, off U/eps, ";
+    test::expect_below({name + "inside them", "%", "continuity"}, 100 * worst[true], 1);
+    test::expect_below({name + "at their faces", "%", "continuity"}, 100 * worst[false],
+                       20);  // shared with the neighbour
 }
 
 TEST(RoughPacking, SharesTheDropOfSingleCellsWithTheirNeighbours)
 {
     // Limits, not aims: 0.35 and 0.24 are seen. The gradient of the cell's neighbours times the cell's own voidage
     // instead of forces at its faces had 0.47 and 0.32. It makes MP-PIC's beds, whose cells are this rough, denser.
-    EXPECT_LT(error(relative_velocities([](int c) { return c % 2 ? 0.4 : 0.5; })), 0.37);
+    test::expect_below({"single cells of voidage 0.4 and 0.5 in turn: the same, root mean square", "%", "continuity"},
+                       100 * error(relative_velocities([](int c) { return c % 2 ? 0.4 : 0.5; })), 37);
     std::mt19937 random(1);
     std::uniform_real_distribution<double> between(0.38, 0.6);
     EXPECT_LT(error(relative_velocities([&](int) { return between(random); })), 0.26);

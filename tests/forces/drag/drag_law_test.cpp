@@ -6,6 +6,7 @@
 // that grows with slip.
 #include "forces/drag/drag_law.hpp"
 
+#include <algorithm>
 #include <cfenv>
 #include <cmath>
 #include <set>
@@ -14,6 +15,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "support/measured.hpp"
 
 namespace {
 
@@ -281,13 +284,17 @@ double terminal_velocity(std::string_view name, double weight, double diameter)
 void expect_terminal_velocities(std::string_view name, double reynolds_max, double tolerance)
 {
     const double diameter = 1e-3;
+    double worst = 0;
     for (const auto& [reynolds, drag_coefficient] : standard_drag_curve) {
         if (reynolds > reynolds_max) continue;
         const double speed = reynolds * air_viscosity / (air_density * diameter);
         const double weight = drag_coefficient * 0.5 * air_density * speed * speed * M_PI / 4.0 * diameter * diameter;
-        expect_relative(terminal_velocity(name, weight, diameter), speed, tolerance,
-                        std::string(name) + " at Re " + std::to_string(reynolds));
+        worst = std::max(worst, std::abs(terminal_velocity(name, weight, diameter) / speed - 1));
     }
+    test::expect_below({std::string(name) + ": terminal velocity off that of the standard drag curve, Re 0.1 to " +
+                            (reynolds_max > 100 ? "1000" : "100"),
+                        "%", "Clift, Grace and Weber (1978), table 5.2"},
+                       100 * worst, 100 * tolerance);
 }
 
 TEST(OneSphere, terminal_velocities_are_those_of_the_standard_drag_curve)
@@ -315,6 +322,7 @@ TEST(PackedBed, ergun_pressure_drop)
 {
     // Gas at rest in a bed at rest: eps (-dp/dx) = beta U / eps.
     const double d = 3.256e-3;
+    double worst = 0;
     for (const double voidage : {0.36, 0.4, 0.5}) {
         for (const double superficial : {0.01, 1.0, 3.0}) {
             const double solids = 1.0 - voidage;
@@ -323,9 +331,12 @@ TEST(PackedBed, ergun_pressure_drop)
             const double cube = voidage * voidage * voidage;
             const double ergun_equation = 150.0 * air_viscosity * solids * solids * superficial / (cube * d * d) +
                                           1.75 * air_density * solids * superficial * superficial / (cube * d);
-            expect_relative(beta * superficial / (voidage * voidage), ergun_equation, rounding);
+            worst = std::max(worst, std::abs(beta * superficial / (voidage * voidage) / ergun_equation - 1));
         }
     }
+    test::expect_below({"Ergun: pressure drop of a bed off the equation, voidage 0.36 to 0.5, 0.01 to 3 m/s", "",
+                        "Ergun, Chem. Eng. Prog. 48 (1952) 89"},
+                       worst, rounding);
 }
 
 TEST(PackedBed, ergun_by_hand)
@@ -395,11 +406,15 @@ TEST(Settling, slow_suspensions_follow_richardson_and_zaki)
 {
     // J. F. Richardson, W. N. Zaki, Trans. Inst. Chem. Eng. 32 (1954) 35: U / U_1 = eps^4.65 in creeping flow. Wen
     // and Yu is it; Di Felice has eps^4.7; Garside and Al-Dibouni's, in Syamlal and O'Brien, is eps^5.14.
+    double worst = 0;
     for (const double voidage : {0.5, 0.7, 0.9}) {
-        expect_relative(slow_settling("WenYu", voidage), std::pow(voidage, 4.65), rounding);
+        worst = std::max(worst, std::abs(slow_settling("WenYu", voidage) / std::pow(voidage, 4.65) - 1));
         expect_relative(slow_settling("DiFelice", voidage), std::pow(voidage, 4.70), rounding);
         expect_relative(slow_settling("SyamlalOBrien", voidage), std::pow(voidage, 5.14), rounding);
     }
+    test::expect_below({"WenYu: slow sedimentation off eps^4.65 of one sphere's velocity, voidage 0.5 to 0.9", "",
+                        "Richardson and Zaki, Trans. Inst. Chem. Eng. 32 (1954) 35"},
+                       worst, rounding);
 }
 
 TEST(Settling, syamlal_obrien_settles_at_garside_and_al_dibounis_ratio)
@@ -505,9 +520,12 @@ TEST(KochHill, creeping_flow_agrees_with_other_simulations_of_random_arrays)
 {
     // BVK's limit at Re = 0 is the fit of van der Hoef, Beetstra, Kuipers, J. Fluid Mech. 528 (2005) 233, for phi >=
     // 0.1. The two groups' fits differ by up to 8.4 % (at phi = 0.1).
-    for (const double phi : {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}) {
-        expect_relative(factor("KochHill", 1.0 - phi, 0.0), factor("BVK", 1.0 - phi, 0.0), 0.09, std::to_string(phi));
-    }
+    double worst = 0;
+    for (const double phi : {0.1, 0.2, 0.3, 0.4, 0.5, 0.6})
+        worst = std::max(worst, std::abs(factor("KochHill", 1.0 - phi, 0.0) / factor("BVK", 1.0 - phi, 0.0) - 1));
+    test::expect_below({"KochHill: creeping flow through random arrays off BVK's, solid fraction 0.1 to 0.6", "%",
+                        "van der Hoef, Beetstra and Kuipers, J. Fluid Mech. 528 (2005) 233"},
+                       100 * worst, 9);
 }
 
 TEST(KochHill, inertial_coefficient_meets_its_dilute_branch)

@@ -6,9 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "forces/drag/drag.hpp"
+#include "support/measured.hpp"
 
 namespace {
 
@@ -99,6 +101,7 @@ double rate_of(Drag& drag, const ParticleInGas& at)
 
 TEST(SelfDisturbance, GivesBackTheDragOfTheUndisturbedSlip)
 {
+    double worst = 0;
     for (const char* name : {"SchillerNaumann", "WenYu", "BVK", "DiFelice"}) {
         Drag drag(*find_drag_law(name));
         for (const double reynolds : {1e-3, 0.1, 1.0, 10.0, 100.0}) {
@@ -111,10 +114,14 @@ TEST(SelfDisturbance, GivesBackTheDragOfTheUndisturbedSlip)
                                                            share_in_stream(reynolds * sigma / at.diameter);
             at.gas_velocity.z() = seen;
             // with the push of the pressure that the force itself makes, a third of the own solid fraction of it
-            EXPECT_NEAR(rate_of(drag, at) * seen / (force * (1 - own / 3)), 1, 1e-3) << name << ", Re = " << reynolds;
+            worst = std::max(worst, std::abs(rate_of(drag, at) * seen / (force * (1 - own / 3)) - 1));
         }
         EXPECT_EQ(drag.counts()[1].number, 0) << name;
     }
+    test::expect_below(
+        {"drag on a sphere that sees its own wake, corrected, off that of the undisturbed slip, Re 1e-3 to 100", "%",
+         "regularised Stokes and Oseen flow"},
+        100 * worst, 0.1);
 }
 
 TEST(SelfDisturbance, IsNoneWithoutAKernelAndInAPacking)

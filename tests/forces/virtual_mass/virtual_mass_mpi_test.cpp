@@ -6,9 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
+#include "support/measured.hpp"
 #include "support/scene.hpp"
 #include "support/world.hpp"
 
@@ -55,6 +57,7 @@ TEST(VirtualMass, ALightSphereRisesAsTheClosedSolutionSays)
     const double viscosity = 20, added = 0.5 * water * volume, mass = light * volume;
     const double k = 3 * M_PI * viscosity * diameter, tau = (mass + added) / k;
     const double terminal = (water - light) * volume * g / k;
+    double worst = 0;
     for (const int substeps : {1, 10, 100, 1000}) {  // gas steps of 2e-4 to 0.2 tau
         const double solid_step = 2e-4 * tau;
         const auto scene = released(viscosity, light, solid_step, {0, 0, -g});
@@ -65,11 +68,16 @@ TEST(VirtualMass, ALightSphereRisesAsTheClosedSolutionSays)
             const double time = n * substeps * solid_step;
             if (time < 0.1 * tau) continue;  // LIGGGHTS's first half kick is by the weight alone: 0.3 % at this time
             const double exact = terminal * (1 - std::exp(-time / tau));
-            ASSERT_NEAR(velocity_in(*scene).z() / exact, 1, 0.01)
-                << substeps << " substeps, t = " << time / tau << " tau";
+            const double off = std::abs(velocity_in(*scene).z() / exact - 1);
+            ASSERT_LT(off, 0.01) << substeps << " substeps, t = " << time / tau << " tau";
+            worst = std::max(worst, off);
         }
         EXPECT_LT(scene->step.ledger().momentum.residual(), 1e-12);
     }
+    test::expect_below({"virtual mass: 500 kg/m3 rising in water, v(t) off the closed solution, gas steps of 2e-4 to "
+                        "0.2 relaxation times",
+                        "%", "exponential approach with m + m_liquid/2"},
+                       100 * worst, 1);
 }
 
 TEST(VirtualMass, ALightSphereStartsWithHalfOfGravity)
@@ -81,13 +89,15 @@ TEST(VirtualMass, ALightSphereStartsWithHalfOfGravity)
     scene->advance(10);
     const Vector before = velocity_in(*scene);  // after the first half kick, by the weight alone
     scene->advance(100);
-    EXPECT_NEAR((velocity_in(*scene) - before).z() / (100 * solid_step), 4.905, 0.01 * 4.905);
+    test::expect_within({"virtual mass: the same at its release", "m/s2", "g/2"},
+                        (velocity_in(*scene) - before).z() / (100 * solid_step), 4.905, 0.01 * 4.905);
 }
 
 /// Without drag and gravity a liquid of acceleration a takes a sphere along by (1 + C) rho/(rho_p + C rho) of it:
 /// faster than itself where the sphere is lighter (G. I. Taylor's limit, 3 for a bubble).
 TEST(VirtualMass, AnAcceleratedLiquidTakesASphereAlong)
 {
+    double worst = 0;
     for (const double density : {10.0, 500.0, 1000.0, 8000.0})
         for (const int substeps : {1, 50}) {
             const double solid_step = 1e-5, acceleration = 2;
@@ -97,11 +107,14 @@ TEST(VirtualMass, AnAcceleratedLiquidTakesASphereAlong)
                 scene->advance(substeps);
             const double liquid = acceleration * 200 * solid_step;
             const double expected = 1.5 * water / (density + 0.5 * water) * liquid;
-            // the last kick of velocity Verlet is half made at the end: 1/400; the rest is the gas step's half
-            EXPECT_NEAR(velocity_in(*scene).x() / expected, 1, 0.01)
-                << density << " kg/m3, " << substeps << " substeps";
+            worst = std::max(worst, std::abs(velocity_in(*scene).x() / expected - 1));
             EXPECT_LT(scene->step.ledger().momentum.residual(), 1e-12);
         }
+    // the last kick of velocity Verlet is half made at the end: 1/400; the rest is the gas step's half
+    test::expect_below({"virtual mass: spheres of 10 to 8000 kg/m3 in accelerated water, velocity off 3/2 rho/(rho_p + "
+                        "rho/2) of the water's",
+                        "%", "G. I. Taylor's limit"},
+                       100 * worst, 1);
 }
 
 TEST(VirtualMass, FollowsTheLiquidWhereItsVelocityChangesAlongTheWay)

@@ -10,6 +10,7 @@ however many ranks. Impulses act at one point, so the angular momentum of a free
 
 import unittest
 
+import measured
 import numpy
 
 from hard_spheres import HardSphereTest, Scene, Spheres
@@ -69,7 +70,7 @@ class Cloud(HardSphereTest):
                   f"{drift:.1e} of the sum of its sizes after {STEPS} steps; energy {e1 / e0:.4f} (translation), {r1 / r0:.4f} (rotation)")
             with self.subTest(ranks=ranks):
                 # 1000 steps times some hundred impulses at 1e-16 each, of random sign
-                self.assertLess(drift, 1e-13)
+                measured.below(self, f"cloud of rough spinning spheres, sizes 1 to 10, {STEPS} steps, ranks: {ranks}: change of momentum", drift, 1e-13, "", "conservation")
                 self.assertLess(e1 + r1, e0 + r0)
         for ranks in RANKS[1:]:
             for name, alone, parted in zip(("speed", "surface speed"), results[1], results[ranks]):
@@ -84,6 +85,7 @@ class Cloud(HardSphereTest):
 class FreePair(HardSphereTest):
     def test_angular_momentum(self):
         draw = numpy.random.default_rng(8)
+        drifts = []
         for k in range(10):
             diameter = numpy.array([1e-2, 10 ** draw.uniform(-3, -2)])
             normal = draw.normal(size=3)
@@ -105,10 +107,10 @@ class FreePair(HardSphereTest):
             drift = numpy.linalg.norm(total(-1) - total(0)) / size
             linear = numpy.linalg.norm((mass * (h.velocity[-1] - h.velocity[0])).sum(axis=0)) / (mass * norm(h.velocity[0])).sum()
             self.assertGreater(abs(h.velocity[-1] - h.velocity[0]).max(), 0.01, "they have missed")
-            print(f"pair {k}: angular momentum {drift:.1e}, linear {linear:.1e}")
-            # round-off of positions and velocities, multiplied; the contact is where they touch within the step
-            self.assertLess(drift, 1e-13)
+            drifts.append(drift)
             self.assertLess(linear, 1e-14)
+        # round-off of positions and velocities, multiplied; the contact is where they touch within the step
+        measured.below(self, "ten free pairs: change of angular momentum", max(drifts), 1e-13, "", "conservation")
 
 
 def norm(vectors):

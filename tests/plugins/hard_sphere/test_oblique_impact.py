@@ -7,11 +7,15 @@ The solution is written here once more, from the balance of momentum (Foerster, 
 the normal impulse is too little for it. The sphere on a wall is the one of cases/oblique-impact, which compares with measurements.
 """
 
+import os
+import re
+import subprocess
 import unittest
 
+import measured
 import numpy
 
-from hard_spheres import HardSphereTest, Scene, Spheres
+from hard_spheres import SOURCE, HardSphereTest, Scene, Spheres
 
 # A few hundred operations in double precision, and positions of 1 m that a touch time within a step of 1e-5 m comes from.
 ROUND_OFF = 1e-10
@@ -70,17 +74,28 @@ class SphereOnWall(HardSphereTest):
             "position": norm(h.position[-1] - end).max() / 0.1,
         }  # fmt: skip
         print(f"e_n {e_n}, e_t {e_t}, mu {mu}, spin {spin}: " + ", ".join(f"{name} {error:.1e}" for name, error in errors.items()))
-        for name, error in errors.items():
-            self.assertLess(error, ROUND_OFF, name)
+        return errors
 
     def test_as_measured(self):
-        self.check(0.98, 0.26, 0.092, (0, 0, 0))
+        """With the parameters of cases/oblique-impact, and what its `draw` finds beside the measurements. A contact that sticks has one ratio of
+        tangential velocities here, a real one is a spring besides: the distances are what no e_t takes away."""
+        for name, error in self.check(0.98, 0.26, 0.092, (0, 0, 0)).items():
+            measured.below(self, f"impact on a wall at 2 to 60 degrees: error of the {name}", error, ROUND_OFF, "", "Foerster et al., Phys. Fluids 6 (1994) 1108")
+        done = subprocess.run([os.path.join(SOURCE, "cases/oblique-impact/draw"), "--out", os.path.join(self.folder(), "picture.png")], capture_output=True,
+                              text=True, timeout=120)  # fmt: skip
+        self.assertEqual(done.returncode, 0, done.stderr)
+        found = re.search(r"rebound angle (\S+) deg, tangential restitution (\S+), spin (\S+) rad/s", done.stdout).groups()
+        for name, value, limit, unit in zip(("rebound angle, to 57 deg", "ratio of tangential velocities, to 0.90", "spin, to 613 rad/s"), found, (0.7, 0.08, 36),
+                                            ("deg", "", "rad/s")):  # fmt: skip
+            measured.below(self, f"aluminium oxide on glass, 25 impacts: {name}: root mean square distance from the measurements", float(value), limit, unit,
+                           "Kharaz, Gorham and Salman, Powder Technol. 120 (2001) 281")
 
     def test_other_laws_and_spins(self):
         for e_n, e_t, mu in ((1, 1, 10), (0, 0, 10), (0.5, 0, 0.3), (0.9, 1, 0.05), (0.7, 0.4, 0)):
             for spin in ((0, 0, 0), (0, 500, 0), (300, -200, 100)):
                 with self.subTest(e_n=e_n, e_t=e_t, mu=mu, spin=spin):
-                    self.check(e_n, e_t, mu, spin)
+                    for name, error in self.check(e_n, e_t, mu, spin).items():
+                        self.assertLess(error, ROUND_OFF, name)
 
 
 class SphereOnSphere(HardSphereTest):
@@ -133,7 +148,7 @@ class SphereOnSphere(HardSphereTest):
         changed = norm(h.velocity[-1].reshape(n, 2, 3) - velocity).min()
         self.assertGreater(changed, 0, "a pair has missed")
         for name, error in errors.items():
-            self.assertLess(error, ROUND_OFF, name)
+            measured.below(self, f"{n} pairs of spheres of any size, spin and law: error of the {name}", error, ROUND_OFF, "", "rigid bodies, the same")
 
     def test_pairs_that_pass_by_do_not_feel_each_other(self):
         """Gaps of 1e-4 to 1e-1 of the radius on passing: a contact that is expected and does not come about gives nothing."""

@@ -11,6 +11,7 @@ import unittest
 import numpy
 
 import bed
+import measured
 import support
 
 COUNT, SECONDS = 1000, 1.2
@@ -35,8 +36,9 @@ class RanksOfABed(support.ProgramTest):
                     self.assertLess(one.unrest(), 1e-6, "kinetic energy, over that of the impact")
                     self.assertLess(abs(one.drift()), 0.005 * bed.DIAMETER, "the height drifts [m/s]")
                     self.assertLess(numpy.percentile(one.overlaps(), 97), 0.01)
-                mean = numpy.mean([one.height[-1] for one in beds])
-                self.assertAlmostEqual(mean, alone.mean(), delta=tolerance)
+                heights = numpy.array([one.height[-1] for one in beds]) / bed.DIAMETER
+                measured.within(self, f"poured bed of {COUNT} hard spheres, {len(SEEDS)} pours, ranks: {ranks}: mean height in diameters", heights.mean(),
+                                alone.mean() / bed.DIAMETER, tolerance / bed.DIAMETER, "", "one rank", heights.std(ddof=1) / len(SEEDS) ** 0.5)  # fmt: skip
 
 
 if __name__ == "__main__":

@@ -16,6 +16,7 @@ import unittest
 import numpy
 
 import boxes
+import measured
 import support
 
 G = 9.81
@@ -53,7 +54,7 @@ class Fronts(support.ProgramTest):
         done = self.run_case(box.write(os.path.join(self.root, "column")))
         cell = self.SIZE[2] / self.CELLS[2]
         speed = hindered_velocity(self.DIAMETER, self.DENSITY, self.PHI)
-        times, clear, settled, packed = [], [], [], []
+        times, clear, settled = [], [], []
         for time in numpy.arange(1, 13) * 0.025:
             phi = 1 - boxes.field(done.folder, time, "voidage")
             height = numpy.arange(len(phi) + 1) * cell
@@ -64,17 +65,15 @@ class Fronts(support.ProgramTest):
             # solids in excess of the suspension, up to its middle
             settled.append((phi[:low] - self.PHI).sum() * cell)
             times.append(time)
-            packed.append(phi[1:].max())
         late = slice(1, None)  # the start, where all are at rest, aside
         sinks = -numpy.polyfit(times[late], clear[late], 1)[0]
         gains = numpy.polyfit(times[late], settled[late], 1)[0]
-        print(f"hindered velocity {speed * 1e3:.2f} mm/s; clear front {sinks * 1e3:.2f} mm/s; bed gains {gains * 1e3:.3f} mm/s of solids, "
-              f"{speed * self.PHI * 1e3:.3f} expected; densest {packed}")  # fmt: skip
-        self.assertLess(abs(sinks / speed - 1), 0.03)
-        self.assertLess(abs(gains / (speed * self.PHI) - 1), 0.03)
         front, rate = self.packed_front(done, times, cell, speed)
-        print(f"packed front rises at {front * 1e3:.2f} mm/s, {rate * 1e3:.2f} expected")
-        self.assertLess(abs(front / rate - 1), 0.03)
+        for name, found, exact, source in (
+            ("clear front sinks", sinks, speed, "hindered velocity, BVK"), ("solids gained by the bed below", gains, speed * self.PHI, "mass conservation"),
+            ("packed front rises", front, rate, "mass conservation"),
+        ):  # fmt: skip
+            measured.within(self, f"suspension of solid fraction 0.3 settling in a closed column: {name}", found, exact, 0.03 * exact, "m/s", source)
 
     def packed_front(self, done, times, cell, speed):
         """(Speed of the place where the bed begins, and what mass conservation gives with the solid fraction that is added below it). The
@@ -109,15 +108,12 @@ class BedAtRest(support.ProgramTest):
         done = self.run_case(box.write(os.path.join(self.root, "bed")), timeout=800)
         with done.results() as file:
             time, fullest = file["/series/time"][:], 1 - file["/series/lowest_voidage"][:]
-            height, relieved = file["/series/bed_height"][:], file["/ledger/cells_relieved"][-1]
-            beyond = file["/ledger/cells_beyond_close_packing"][:]
+            relieved = file["/ledger/cells_relieved"][-1]
             energy = file["/series/kinetic_energy"][:]
         rest = time > 3  # it falls, and sloshes until 2.6 s
-        print(f"fullest cell {fullest.max():.4f}, at rest {fullest[rest].max():.4f}; bed height {height[rest].min():.4f} to "
-              f"{height[rest].max():.4f} m; kinetic energy at most {energy[rest].max():.1e} of {energy[0]:.1e} J; cells relieved {relieved:.0f}, beyond close packing {beyond[-1]:.0f}")  # fmt: skip
-        self.assertLess(fullest[rest].max(), 1.02 * self.CLOSE_PACKING)
+        measured.below(self, "bed of 1,280 parcels at rest for 9 s: fullest cell, close packing being 0.6", fullest[rest].max(), 1.02 * self.CLOSE_PACKING)
         self.assertEqual(relieved, 0)  # nothing was handed on to keep it so
-        self.assertLess(energy[rest].max(), 0.01 * energy[0])  # nothing wakes it up
+        measured.below(self, "the same: kinetic energy at most, of that at the start of its fall", energy[rest].max() / energy[0], 0.01)  # nothing wakes it up
 
 
 if __name__ == "__main__":
