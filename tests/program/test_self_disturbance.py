@@ -83,8 +83,7 @@ class SelfDisturbance(support.ProgramTest):
             case = os.path.join(self.root, f"bed-{correction}")
             shutil.copytree(os.path.join(support.SOURCE, "cases", "packed-bed"), case)
             self.edit(case, "system/couplingDict", r"law\s+\$dragLaw;", f"law $dragLaw; selfDisturbance {correction};")
-            with self.run_case(self.prepared(case, correction, until=0.02)).results() as file:
-                drops[correction] = file["series/pressure_drop"][-1]
+            drops[correction] = self.run_case(self.prepared(case, correction, until=0.02)).column("series/pressure_drop")[-1]
         self.assertAlmostEqual(drops["corrected"] / drops["left"], 1, delta=1e-3)  # some particles at its surface see it
 
 

@@ -212,7 +212,7 @@ class DumpAgainstDump(Folder):
         tables[100][0, 9] += 1
         a, b = self.dump("a"), self.dump("b", tables)
         self.assertEqual(self.compare(a, b, "--only", "position,velocity")[0], 0)
-        self.assert_refused(a, b, "--only", "velocty", says=["velocty", "Did you mean velocity?"])
+        self.assert_refused(a, b, "--only", "velocty", says=["velocty", "did you mean 'velocity'?"])
 
     def test_tolerances(self):
         tables = {step: particles(step) for step in STEPS}

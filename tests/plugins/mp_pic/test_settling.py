@@ -107,11 +107,10 @@ class BedAtRest(support.ProgramTest):
         box = boxes.Box(size, cells, diameter, 1131.0, place, weight=8.0, gravity=G, e=0.84, en=0.92, et=0.92, step=1e-3, end=12.0,
                         write_every=0.05, sides="noSlip")  # fmt: skip
         done = self.run_case(box.write(os.path.join(self.root, "bed")), timeout=800)
-        with done.results() as file:
-            time, fullest = file["/series/time"][:], 1 - file["/series/lowest_voidage"][:]
-            height, relieved = file["/series/bed_height"][:], file["/ledger/cells_relieved"][-1]
-            beyond = file["/ledger/cells_beyond_close_packing"][:]
-            energy = file["/series/kinetic_energy"][:]
+        time, fullest = done.column("series/time"), 1 - done.column("series/lowest_voidage")
+        height, relieved = done.column("series/bed_height"), done.column("ledger/cells_relieved")[-1]
+        beyond = done.column("ledger/cells_beyond_close_packing")
+        energy = done.column("series/kinetic_energy")
         rest = time > 3  # it falls, and sloshes until 2.6 s
         print(f"fullest cell {fullest.max():.4f}, at rest {fullest[rest].max():.4f}; bed height {height[rest].min():.4f} to "
               f"{height[rest].max():.4f} m; kinetic energy at most {energy[rest].max():.1e} of {energy[0]:.1e} J; cells relieved {relieved:.0f}, beyond close packing {beyond[-1]:.0f}")  # fmt: skip
