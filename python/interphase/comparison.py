@@ -4,13 +4,13 @@
 `options` are those of tools/compare: start, end, timestep, tolerances, only, same_times, confidence.
 """
 
-import difflib
 import os
 
 import numpy
 
 from interphase import snapshot_measures, statistical_comparison
 from interphase.difference import Difference, compare_particles, compare_series, wanted
+from interphase.foam_file import nearest
 from interphase.input_error import InputError
 from interphase.liggghts_dump import Dump, find_dumps
 from interphase.matching_times import matching_of
@@ -50,9 +50,7 @@ def has_particles(source):
 def refuse_unknown(names, known, what):
     for name in names:
         if name not in known:
-            near = difflib.get_close_matches(name, known, 1)
-            hint = f"Did you mean {near[0]}? " if near else ""
-            raise InputError(f"{what} {name}: not in both A and B. {hint}Both have: {listed(known)}")
+            raise InputError(f"{what} {name}: not in both A and B: {nearest(name, sorted(known))}")
 
 
 def numbers(a, b, options):

@@ -6,6 +6,7 @@ import math
 
 import numpy
 
+from interphase import tables
 from interphase.statistical_comparison import CONSTANT, DIFFERENT, GROSS, SAME, UNJUDGED
 
 
@@ -104,7 +105,7 @@ def _difference(report):
             table.append([*row, f"{q['differing']} of {q['compared']}"])
             if report["tolerance"]:
                 table[-1].append(f"{'within' if q['within'] else 'beyond'} {q['allowed']:.3g}")
-        lines += _table(table)
+        lines += tables.columns(table, indent=2)
         for q in differing:
             first = q["first"] + ("" if q["first_particle"] is None else f" (particle {q['first_particle']})")
             a, b = map(_shown, q["values"])
@@ -126,7 +127,7 @@ def _statistics(report):
         else:
             shown += ["", "", ""]
         table.append([row["name"], *shown, row["verdict"] + _because(row)])
-    lines = _table(table)
+    lines = tables.columns(table, indent=2)
     counts = {v: sum(row["verdict"] == v for row in rows) for v in (SAME, DIFFERENT, GROSS, UNJUDGED, CONSTANT)}
     shown = [f"{counts[v]} {v}" for v in counts if counts[v] or v in (SAME, DIFFERENT)]
     lines.append(f"{', '.join(shown)}; at {100 * report['confidence']:g} % confidence for all together")
@@ -155,8 +156,3 @@ def _mean(mean):
     if mean is None:
         return "-"
     return f"{mean['value']:.6g}" if math.isnan(mean["error"]) else f"{mean['value']:.6g} +- {mean['error']:.2g}"
-
-
-def _table(rows):
-    widths = [max(len(row[i]) for row in rows if i < len(row)) for i in range(max(map(len, rows)))]
-    return ["  " + "  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip() for row in rows]

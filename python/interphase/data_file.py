@@ -32,8 +32,8 @@ def text(remark, low, high, position, diameter, density, kind=1, velocity=None, 
     """
     position = _rows(position, 0)
     count = len(position)
-    first = f"LIGGGHTS data file, atom_style granular, SI units: {remark}".encode("ascii", "replace").decode().replace("\n", " ")
-    lines = [first[:LONGEST_REMARK], "", f"{count} atoms", f"{types} atom types", ""]
+    first = f"LIGGGHTS data file, atom_style granular, SI units: {remark}".encode("ascii", "replace").decode()
+    lines = ["".join(each if each.isprintable() else " " for each in first[:LONGEST_REMARK]), "", f"{count} atoms", f"{types} atom types", ""]
     lines += [f"{float(a)!r} {float(b)!r} {axis}lo {axis}hi" for axis, a, b in zip("xyz", low, high)]
     ids = list(_column(range(1, count + 1) if ids is None else ids, count, int))
     lines += ["", "Atoms", ""]

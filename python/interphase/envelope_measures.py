@@ -3,11 +3,11 @@
 
 import dataclasses
 
-import h5py
 import numpy
 
 from interphase.envelope_verdict import Measures, alternation, deviation
 from interphase.run_records import find_run
+from interphase.series import Table
 
 BOOKS = ("momentum_residual", "volume_residual", "gas_volume_residual")
 
@@ -23,10 +23,8 @@ def measure(folder, point, plan):
 
 def _books(path):
     """The largest residual of the books over the run."""
-    with h5py.File(path, "r") as file:
-        if "ledger" not in file:
-            return 0.0
-        return float(max((abs(file["ledger"][name][()]).max(initial=0.0) for name in BOOKS if name in file["ledger"]), default=0.0))
+    ledger = Table(path, "ledger")
+    return float(max((abs(ledger[name].values).max(initial=0.0) for name in BOOKS if name in ledger), default=0.0))
 
 
 def _within(window, plan):

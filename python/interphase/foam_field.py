@@ -89,10 +89,10 @@ def points(folder):
 def whole_list(path, data, components, labels=False):
     """The list [n, components] that a file of a mesh is; of whole numbers with `labels`."""
     start = body(data)
-    found = re.search(rb"(?:^|\n)\s*(\d+)\s*\(", start)
+    found = re.search(rb"(?:^|\n)\s*(\d+)\s*([({])", start)
     if found is None:
         raise InputError(f"{path}: holds no list")
-    return _numbers(path, data, len(data) - len(start) + found.end(), int(found[1]), components, False, labels)
+    return _numbers(path, data, len(data) - len(start) + found.end(), int(found[1]), components, found[2] == b"{", labels)
 
 
 def _numbers(path, data, at, count, components, repeated, labels=False):

@@ -2,7 +2,6 @@
 """Write a run's statistics into its results.h5, below /profiles and /histograms; only where the run has ended."""
 
 import glob
-import json
 import math
 import os
 
@@ -10,7 +9,6 @@ import h5py
 import numpy
 
 from interphase.input_error import InputError
-from interphase.run_records import open_h5
 
 
 def open_elsewhere(path):
@@ -31,19 +29,12 @@ def open_elsewhere(path):
 
 
 def has_ended(run):
-    """Whether a `Run` has recorded its end: wall_time in /meta (the program), or an exit code in run.json (tools/run)."""
-    with open_h5(run.results) as file:
-        if "meta" in file and "wall_time" in file["meta"].attrs:
-            return True
-    try:
-        with open(os.path.join(run.path, "run.json"), encoding="utf-8") as file:
-            return "exit_code" in json.load(file)
-    except (OSError, ValueError, TypeError):
-        return False
+    """Whether `Records` hold the run's end: wall_time in /meta (the program), or an exit code in run.json (tools/run)."""
+    return "wall_time" in run.meta or "exit_code" in run.record
 
 
 def check_writable(run):
-    """InputError unless the results.h5 of a `Run` can be written to."""
+    """InputError unless the results.h5 of `Records` can be written to."""
     if run.results is None:
         raise InputError(f"{run.path}: there is no results.h5 in it to write to; --no-write reports without writing")
     process = open_elsewhere(run.results)

@@ -7,7 +7,6 @@ from typing import Optional
 import numpy
 
 from interphase.input_error import InputError
-from interphase.run_records import open_h5
 
 SAMPLES = 10  # snapshots of a run that tell its spheres' sizes and mean height
 
@@ -35,20 +34,18 @@ class Vessel:
 
 
 def domain_of(run):
-    """(low, high) corners [m] of the box about the gas mesh of a `Run`, from /meta; None where it is not recorded (no gas)."""
-    if run.results is None:
+    """(low, high) corners [m] of the box about the gas mesh of `Records`, from /meta; None where it is not recorded (no gas)."""
+    found = run.meta.get("domain")
+    if found is None:
         return None
-    with open_h5(run.results) as file:
-        if "meta" not in file or "domain" not in file["meta"].attrs:
-            return None
-        box = numpy.asarray(file["meta"].attrs["domain"], dtype=float)
+    box = numpy.asarray(found, dtype=float)
     if box.shape != (2, 3) or not numpy.isfinite(box).all() or not (box[1] > box[0]).all():
         raise InputError(f"{run.results}: /meta attribute domain = {box.tolist()}: two corners (x y z), low and high, are expected")
     return box
 
 
 def box_of(run, mesh):
-    """(corners [2, 3] in m, whence they are known) of the vessel of a `Run`: its domain, else its `BoxMesh` where that is not None; None
+    """(corners [2, 3] in m, whence they are known) of the vessel of `Records`: its domain, else its `BoxMesh` where that is not None; None
     where neither tells."""
     domain = domain_of(run)
     if domain is not None:

@@ -6,25 +6,19 @@ import os
 import h5py
 import numpy
 
+from interphase import run_state
 from interphase.input_error import InputError
 from interphase.particle_states import Frame, by_id
+from interphase.stored import attributes, open_h5
 from interphase.whole_records import whole_rows, whole_snapshots
 
 PARTICLES, RESULTS = "particles.h5", "results.h5"
 DATASETS = {"position": "position", "velocity": "velocity", "angular_velocity": "spin", "force": "force"}
 
 
-def open_h5(path):
-    try:
-        return h5py.File(path, "r")
-    except OSError as error:
-        raise InputError(
-            f"{path}: cannot be read as HDF5: {error}; is the run still writing, or was it killed?"
-        ) from None
-
-
-class Run:
-    """A run's records. `particles` and `results` are the paths of the files that are there, else None."""
+class Records:
+    """What a run has recorded, as comparisons and reports walk through it. `particles` and `results` are the paths of the files that are
+    there, else None."""
 
     kind = "run"
     digits = None
@@ -39,14 +33,28 @@ class Run:
         parts = [os.path.basename(file) for file in (self.particles, self.results) if file]
         return f"{self.path} ({self.kind}: {', '.join(parts)})"
 
+    @property
+    def meta(self):
+        """{name: number or text} of /meta of results.h5."""
+        return attributes(self._meta, "meta") if self._meta else {}
+
+    @property
+    def record(self):
+        """What run.json says, {} where it is not there or cannot be read."""
+        try:
+            return run_state.record(self.path)
+        except InputError:
+            return {}
+
+    def recorded(self, name):
+        """Of the run as a whole, `weight` or `method`, as /meta says, else run.json; None where neither does."""
+        return self.meta.get(name, self.record.get(name))
+
     def solid_step(self):
         """The attribute `solid_step` of /meta [s], None where it is not recorded."""
-        if self._meta is None:
+        value = self.meta.get("solid_step")
+        if value is None:
             return None
-        with open_h5(self._meta) as file:
-            if "meta" not in file or "solid_step" not in file["meta"].attrs:
-                return None
-            value = file["meta"].attrs["solid_step"]
         try:
             step = float(numpy.asarray(value).reshape(()))
         except (TypeError, ValueError):
@@ -124,11 +132,11 @@ class Run:
 
 
 def find_run(path):
-    """The `Run` that `path` means, None if it is none: a folder with particles.h5 or results.h5, or such a file."""
+    """The `Records` that `path` means, None if it is none: a folder with particles.h5 or results.h5, or such a file."""
     if os.path.isdir(path):
         files = [os.path.join(path, name) for name in (PARTICLES, RESULTS)]
         files = [file if os.path.isfile(file) else None for file in files]
-        return Run(path, *files) if any(files) else None
+        return Records(path, *files) if any(files) else None
     if not os.path.isfile(path) or not h5py.is_hdf5(path):
         return None
     with open_h5(path) as file:
@@ -136,4 +144,4 @@ def find_run(path):
     if not particles and not series:
         raise InputError(f"{path}: holds neither /snapshots (particles.h5) nor /series (results.h5)")
     beside = os.path.join(os.path.dirname(path), RESULTS)
-    return Run(path, path if particles else None, path if series else None, beside if os.path.isfile(beside) else None)
+    return Records(path, path if particles else None, path if series else None, beside if os.path.isfile(beside) else None)

@@ -94,7 +94,7 @@ class _Rows:
 
 
 def measure(run, scene, chosen, series_chosen, progress=None, unsettled=None):
-    """The `RunReport` of a `Run`; without snapshots that count, what /series gives.
+    """The `RunReport` of `Records`; without snapshots that count, what /series gives.
 
     `chosen(frame)` and `series_chosen(time)` say what counts; `progress(number, time)` is called at each snapshot. `unsettled`: the
     `StartUp` for whose reason no mean is to be trusted, None where start-up is over. InputError where a snapshot lacks what is needed.

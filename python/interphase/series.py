@@ -11,8 +11,8 @@ import numpy
 from interphase import stored, time_statistics
 from interphase.input_error import InputError
 from interphase.run import no_such
-from interphase.run_records import open_h5
 from interphase.statistical_comparison import uneven
+from interphase.stored import open_h5
 from interphase.whole_records import whole_rows
 
 

@@ -9,7 +9,7 @@ import numpy
 from interphase import stored
 from interphase.input_error import InputError
 from interphase.run import no_such
-from interphase.run_records import open_h5
+from interphase.stored import open_h5
 from interphase.whole_records import whole_snapshots
 
 SAME_TIME = 1e-6  # relative: times are typed with few digits

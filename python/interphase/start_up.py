@@ -88,7 +88,7 @@ def start_up_of(times, columns):
 
 
 def start_up_of_run(run, end):
-    """The `StartUp` of a `Run` (run_records.py) that is looked at until `end` [s] (None: to its end)."""
+    """The `StartUp` of `Records` that is looked at until `end` [s] (None: to its end)."""
     try:
         series = run.series()
     except InputError as error:

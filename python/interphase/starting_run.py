@@ -2,7 +2,6 @@
 """The run, and the time of it, that another one starts from: `RUN[@time]`."""
 
 import hashlib
-import json
 import os
 from dataclasses import dataclass
 from typing import Optional
@@ -11,7 +10,7 @@ import numpy
 
 from interphase.input_error import InputError
 from interphase.particle_states import ParticleState
-from interphase.run_records import find_run, open_h5
+from interphase.run_records import find_run
 
 SAME_TIME = 1e-6  # relative: times are typed, and named in folders, with few digits
 
@@ -51,12 +50,12 @@ def find(text):
     time = times[-1] if asked is None else min(times, key=lambda each: abs(each - asked))
     if asked is not None and abs(time - asked) > SAME_TIME * max(asked, time):
         raise InputError(f"{folder}: no whole snapshot at t = {asked:.9g} s; the nearest is at {time:.9g} s: --from {folder}@{time:.9g}")
-    weight, method = _recorded(run)
     for frame in run.frames():
         if frame.time == time:
             state = frame.load()
             _check(state, frame.where)
-            return StartingRun(folder, frame.where, time, state, weight, method, run.results)
+            weight = run.recorded("weight")
+            return StartingRun(folder, frame.where, time, state, weight and float(weight), run.recorded("method"), run.results)
     raise InputError(f"{folder}: its snapshot of t = {time:.9g} s is gone; does the run still write?")
 
 
@@ -71,22 +70,6 @@ def _split(text):
     if not 0 <= asked < numpy.inf:
         raise InputError(f"--from {text}: '{time}' is no time in s")
     return folder, asked
-
-
-def _recorded(run):
-    """(weight, method) as results.h5 has them, else run.json."""
-    found = {}
-    if run.results:
-        with open_h5(run.results) as file:
-            found = dict(file["meta"].attrs) if "meta" in file else {}
-    if "weight" not in found and os.path.isfile(os.path.join(run.path, "run.json")):
-        try:
-            with open(os.path.join(run.path, "run.json"), encoding="utf-8") as stream:
-                found = json.load(stream)
-        except ValueError:
-            found = {}
-    weight, method = found.get("weight"), found.get("method")
-    return (None if weight is None else float(weight)), (method.decode() if isinstance(method, bytes) else method)
 
 
 def _check(state, where):

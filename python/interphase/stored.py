@@ -7,7 +7,15 @@ from dataclasses import dataclass, field
 import h5py
 import numpy
 
-from interphase.run_records import open_h5
+from interphase.input_error import InputError
+
+
+def open_h5(path):
+    """The file at `path`, open for reading; InputError where it cannot be."""
+    try:
+        return h5py.File(path, "r")
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read as HDF5: {error}; is the run still writing, or was it killed?") from None
 
 
 def word(value):

@@ -19,10 +19,9 @@ class BalancesOfSscp1:
     def check(self, ranks):
         folder = self.prepared("sscp1", ranks=ranks, until=self.steps * GAS_STEP)
         done = self.run_case(folder, ranks, timeout=max(support.LONGEST, self.steps))
-        with done.results() as file:
-            ledger = {name: column[:] for name, column in file["/ledger"].items()}
-            total, weight = (file["/meta"].attrs[name] for name in ("particles", "bed_weight_per_area"))
-            drop = file["/series/pressure_drop"][:].mean()  # [Pa]
+        ledger = done.table("ledger")
+        total, weight = (done.meta[name] for name in ("particles", "bed_weight_per_area"))
+        drop = done.column("series/pressure_drop").mean()  # [Pa]
         count = len(ledger["time"])
         self.assertEqual(count, self.steps)
         numpy.testing.assert_allclose(ledger["time"], GAS_STEP * numpy.arange(1, count + 1), rtol=1e-9)

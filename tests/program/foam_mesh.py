@@ -6,45 +6,22 @@ import re
 
 import numpy
 
+from interphase import foam_field
+
 HEADER = "FoamFile {{ version 2.0; format ascii; class {}; object {}; }}\n"
 
 
-def _body(path):
-    """What follows the header: text from the length of the list on."""
-    with open(path, encoding="utf-8") as file:
-        text = file.read()
-    return text[re.search(r"^\s*\d+\s*[({]", text[text.index("}"):], re.M).start() + text.index("}"):]
-
-
-def _numbers(text, kind=float):
-    return numpy.array(text.translate(str.maketrans("()", "  ")).split(), dtype=kind)
-
-
-def read_list(path, kind=float):
-    """The numbers of a list of scalars, labels or vectors (flat)."""
-    return _list(_body(path), kind)
-
-
-def _list(text, kind=float):
-    uniform = re.match(r"\s*(\d+)\s*{\s*(\S+)\s*}", text)
-    if uniform:
-        return numpy.full(int(uniform[1]), kind(uniform[2]))
-    count = re.match(r"\s*\d+", text)
-    return _numbers(text[count.end():text.rindex(")")], kind)
+def read_list(path, components=None):
+    """The numbers of a list of labels [n], or with `components` of vectors [n, components]."""
+    found = foam_field.whole_list(path, foam_field.content(path), components or 1, labels=components is None)
+    return found if components else found[:, 0].astype(int)
 
 
 def read_field(folder, time, name, cells):
     """A cell field: [cells] or [cells, 3]."""
-    with open(os.path.join(folder, time, name), encoding="utf-8") as file:
-        text = file.read()
-    internal = text[text.index("internalField"):text.index("boundaryField")]
-    if re.match(r"internalField\s+uniform", internal):
-        values = _numbers(internal[internal.index("uniform") + 7:].strip().rstrip(";"))
-        return numpy.tile(values, (cells, 1)).squeeze(axis=1) if len(values) == 1 else numpy.tile(values, (cells, 1))
-    if cells == 0:
-        return numpy.empty(0)
-    values = _list(internal[internal.index(">") + 1:])
-    return values if len(values) == cells else values.reshape(cells, -1)
+    field = foam_field.internal_field(os.path.join(folder, time, name))
+    values = numpy.tile(field.values, (cells, 1)) if field.uniform else field.values
+    return values[:, 0] if values.shape[1] == 1 else values
 
 
 class FoamMesh:
@@ -53,15 +30,10 @@ class FoamMesh:
 
     def __init__(self, folder):
         at = os.path.join(folder, "constant", "polyMesh")
-        self.points = read_list(os.path.join(at, "points")).reshape(-1, 3)
-        flat = read_list(os.path.join(at, "faces"), int)
-        self.faces = []
-        i = 0
-        while i < len(flat):
-            self.faces.append(flat[i + 1:i + 1 + flat[i]])
-            i += 1 + flat[i]
-        self.owner = read_list(os.path.join(at, "owner"), int)
-        self.neighbour = read_list(os.path.join(at, "neighbour"), int)
+        self.points, self.owner, self.neighbour = (read_list(os.path.join(at, name), components)
+                                                   for name, components in (("points", 3), ("owner", None), ("neighbour", None)))  # fmt: skip
+        faces = foam_field.body(foam_field.content(os.path.join(at, "faces")))
+        self.faces = [numpy.array(face[1].split(), int) for face in re.finditer(rb"\d\(([\d\s]+)\)", faces)]
         self.cells = int(max(self.owner.max(), self.neighbour.max())) + 1  # the last may own no face
         self._measure()
 

@@ -7,7 +7,6 @@ import random
 import signal
 import time
 
-import h5py
 import support
 import vessel
 from processes import alive, children
@@ -59,8 +58,7 @@ class KilledRun(ResumedRun):
             program.kill()
             program.stdout.close()
             program.stderr.close()
-        with h5py.File(os.path.join(folder, "results.h5"), "r") as results:
-            rows = results["ledger/time"][:]
+        rows = support.Finished(folder).column("ledger/time")
         due = max((simulated for moment, simulated in seen if moment < killed - PROMISED), default=0)
         # the step that goes on has no row yet, and the witness speaks of steps of LIGGGHTS within it
         self.assertGreater(rows[-1], due - 1.5 * vessel.GAS_STEP, "rows older than a second are lost")
@@ -83,5 +81,4 @@ class KilledRun(ResumedRun):
         done = self.run_case(killed, ranks, options=["-resume"])
         whole = self.run_case(straight, ranks)
         self.expect_equal([os.path.join(folder, "checkpoints", f"{self.end:.12g}") for folder in (straight, killed)], whole, done, ranks)
-        with done.results() as results:
-            self.assertEqual(len(results["parts/time"]), kills + 1)
+        self.assertEqual(len(done.column("parts/time")), kills + 1)

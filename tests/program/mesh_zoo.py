@@ -270,7 +270,7 @@ def solids(folder, mesh, ranks=1):
     whole = numpy.full(mesh.cells, numpy.nan)
     for rank in range(ranks):
         part = os.path.join(folder, f"processor{rank}")
-        cells = foam_mesh.read_list(os.path.join(part, "constant/polyMesh/cellProcAddressing"), int)
+        cells = foam_mesh.read_list(os.path.join(part, "constant/polyMesh/cellProcAddressing"))
         whole[cells] = 1 - foam_mesh.read_field(part, "1e-06", "voidage", len(cells))
     return whole
 

@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A small bed of cases/sscp1 that tools/run prepares and runs, also with the bed of another run."""
 
-import json
 import os
 import shutil
-import subprocess
 
 import support
 from interphase.run import Run
@@ -32,16 +30,12 @@ def case(root, name="bed", cells=CELLS):
 
 def plain(folder, out, *words, program=None):
     """tools/run with words of its command line: a CompletedProcess."""
-    return subprocess.run(
-        [os.path.join(support.TOOLS, "run"), folder, "--out", out, "--no-picture", *words],
-        env=support.environment(INTERPHASE_BIN=program or support.PROGRAM), stdin=subprocess.DEVNULL, capture_output=True, text=True,
-        timeout=support.LONGEST)
+    return support.tool("run", folder, "--out", out, "--no-picture", *words, program=program)
 
 
 def run(folder, out, *words, program=None, **changes):
     """The same with the small bed's numbers but for `changes`."""
-    settings = [word for key, value in {**SETTINGS, **changes}.items() for word in ("--set", f"{key}={value}")]
-    return plain(folder, out, *words, *settings, program=program)
+    return plain(folder, out, *words, *support.settings_of({**SETTINGS, **changes}), program=program)
 
 
 def snapshots(out):
@@ -54,5 +48,4 @@ def series(out, name):
 
 
 def record(out):
-    with open(os.path.join(out, "run.json"), encoding="utf-8") as stream:
-        return json.load(stream)
+    return Run(out).record

@@ -11,8 +11,8 @@ import unittest
 
 import h5py
 
-from interphase import foam_file, launch, parameters as scene_numbers
-from interphase.snapshots import Snapshots
+from interphase import foam_file, launch, parameters as scene_numbers, series
+from interphase.run import Run
 
 SOURCE = os.environ.get("INTERPHASE_SOURCE") or os.path.realpath(os.path.join(os.path.dirname(__file__), "..", ".."))
 BUILD = os.environ.get("INTERPHASE_BUILD") or os.path.join(SOURCE, "build", "release")
@@ -32,7 +32,7 @@ def environment(**changes):
 class Finished:
     """How a program ended: exit code, what it printed, and the folder it worked in."""
 
-    def __init__(self, folder, code, out, err):
+    def __init__(self, folder, code=0, out="", err=""):
         self.folder = folder
         self.code = code
         self.out = out
@@ -45,12 +45,35 @@ class Finished:
     def path(self, *parts):
         return os.path.join(self.folder, *parts)
 
+    @property
+    def run(self):
+        return Run(self.folder)
+
+    @property
+    def meta(self):
+        return self.run.meta
+
     def results(self):
+        """The file itself, where that is what is looked at: `table` leaves out what is torn."""
         return h5py.File(self.path("results.h5"), "r")
+
+    def table(self, group):
+        """{name: values [n]} of a table of results.h5, `time` [s] among them."""
+        found = series.Table(self.path("results.h5"), group)
+        return {name: found[name].values for name in ("time", *found)}
+
+    def column(self, path):
+        """[n] of `group/name`."""
+        group, _, name = path.partition("/")
+        return series.Table(self.path("results.h5"), group)[name].values
 
     def snapshots(self):
         """Per time a dict of arrays, rows sorted by id: {time: {"position": [n, 3], ...}}."""
-        return {each.time: each.arrays() for each in Snapshots(self.path("particles.h5"))}
+        return {each.time: each.arrays() for each in self.run.snapshots}
+
+    def last(self):
+        """The arrays of the last snapshot."""
+        return self.run.snapshots[-1].arrays()
 
 
 def execute(folder, ranks=1, timeout=LONGEST, options=("-overwrite",), **changes):
@@ -84,6 +107,19 @@ def start(folder, ranks=1, options=(), **changes):
         [*launch.command(PROGRAM, folder, ranks), *options], cwd=folder, env=environment(**changes), stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace", start_new_session=True,
     )
+
+
+def tool(name, *words, timeout=LONGEST, program=None, **changes):
+    """tools/`name`, or a program of a case by its path, with the interphase that was built: a CompletedProcess."""
+    return subprocess.run(
+        [os.path.join(TOOLS, name), *map(str, words)], env=environment(INTERPHASE_BIN=program or PROGRAM, **changes), stdin=subprocess.DEVNULL,
+        capture_output=True, text=True, timeout=timeout,
+    )
+
+
+def settings_of(entries):
+    """The words of tools/run that set `entries` {name: value}; `until` is the end time."""
+    return [word for name, value in entries.items() for word in (("--until", str(value)) if name == "until" else ("--set", f"{name}={value}"))]
 
 
 def write(path, text):
@@ -145,16 +181,15 @@ class ProgramTest(unittest.TestCase):
 
         `settings`: entries of `parameters`; `until` is the end time, other files' entries as {"FILE:ENTRY": value}.
         """
+        return ProgramTest.ran(case, folder, ranks, program="true", **settings)
+
+    @staticmethod
+    def ran(case, folder, ranks=1, program=None, **settings):
+        """The same, with the program itself unless told otherwise; it must reach its end."""
         path = case if os.path.isabs(case) else os.path.join(SOURCE, "cases", case)
-        command = [os.path.join(TOOLS, "run"), path, "--ranks", str(ranks), "--out", folder, "--no-picture", "--quiet"]
-        for key, value in settings.items():
-            command += ["--until", str(value)] if key == "until" else ["--set", f"{key}={value}"]
-        done = subprocess.run(
-            command, env=environment(INTERPHASE_BIN="true"), stdin=subprocess.DEVNULL, capture_output=True, text=True,
-            timeout=LONGEST,
-        )
+        done = tool("run", path, "--ranks", ranks, "--out", folder, "--no-picture", "--quiet", *settings_of(settings), program=program)
         if done.returncode != 0:
-            raise AssertionError(f"{' '.join(command)} failed:\n{done.stdout}{done.stderr}")
+            raise AssertionError(f"{' '.join(done.args)} failed:\n{done.stdout}{done.stderr}")
         return folder
 
     def prepared(self, case, name="case", ranks=1, **settings):
@@ -170,6 +205,11 @@ class ProgramTest(unittest.TestCase):
         done = execute(folder, ranks, timeout, options, **changes)
         self.assertEqual(done.code, 0, f"interphase on {ranks} ranks ended with {done.code}:\n{done.text[-4000:]}")
         return done
+
+    def assert_books_close(self, done, accounts=("momentum", "volume", "gas_volume"), within=1e-12):
+        """The residuals of the balances in /ledger are round-off, by default that of sums over some thousand particles and cells."""
+        for account in accounts:
+            self.assertLess(abs(done.column(f"ledger/{account}_residual")).max(), within, account)
 
     @staticmethod
     def edit(folder, file, pattern, replacement, count=1):

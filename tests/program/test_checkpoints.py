@@ -8,7 +8,6 @@ is not changed by one that it was asked for, and says how it goes on."""
 import os
 import shutil
 import signal
-import subprocess
 import time
 import unittest
 
@@ -200,17 +199,10 @@ class Checkpoints(ResumedScene, support.ProgramTest):
         self.assertLess(done.err.index("The run can go on"), done.err.index("interphase: error"))
 
     def test_tools_run_with_a_limit(self):
-        case, folder = self.bed("TDHS"), os.path.join(self.root, "run")
-        for key, value in (("width", vessel.WIDTH), ("depth", vessel.DEPTH), ("height", vessel.HEIGHT),
-                           ("diameter", vessel.DIAMETER), ("weight", 1)):  # fmt: skip
-            self.edit(case, "parameters", rf"^{key} .*$", f"{key} {value};")
-        self.edit(case, "parameters", r"^method .*$", "method TDHS;")
+        case, folder = vessel.numbered(self.bed("TDHS"), "TDHS"), os.path.join(self.root, "run")
 
         def tools_run(*words):
-            command = [os.path.join(support.TOOLS, "run"), case, "--out", folder, "--no-picture", *words]
-            return subprocess.run(
-                command, env=support.environment(INTERPHASE_BIN=support.PROGRAM), capture_output=True, text=True, timeout=200
-            )
+            return support.tool("run", case, "--out", folder, "--no-picture", *words)
 
         first = tools_run("--until", str(FOR_EVER), "--wall-limit", "3")
         self.assertEqual(first.returncode, WALL_LIMIT, first.stdout + first.stderr)

@@ -57,8 +57,7 @@ class EndTime(support.ProgramTest):
         self.assertTrue(all(0 <= share <= 100 for share in shares), shares)
         self.assertEqual(shares[-1], 100)
         self.assertAlmostEqual(max(done.snapshots()), end, delta=1e-9)
-        with done.results() as file:
-            self.assertAlmostEqual(file["/series/time"][-1], end, delta=1e-9)
+        self.assertAlmostEqual(done.column("series/time")[-1], end, delta=1e-9)
         return thermo
 
     def test_raised(self):

@@ -7,7 +7,6 @@ and the books close."""
 
 import csv
 import os
-import subprocess
 import unittest
 
 import measured
@@ -17,10 +16,7 @@ import support
 class Envelope(support.ProgramTest):
     def test_nothing_fails(self):
         out = os.path.join(self.root, "envelope")
-        done = subprocess.run(
-            [os.path.join(support.TOOLS, "envelope"), "--quick", "--out", out], stdin=subprocess.DEVNULL, capture_output=True, text=True,
-            env=support.environment(INTERPHASE_BIN=support.PROGRAM), timeout=500,
-        )  # fmt: skip
+        done = support.tool("envelope", "--quick", "--out", out, timeout=500)
         print(done.stdout)
         with open(os.path.join(out, "map.csv"), encoding="utf-8") as file:
             rows = list(csv.DictReader(file))

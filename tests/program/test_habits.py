@@ -55,11 +55,10 @@ class Habits(support.ProgramTest):
         place = "processor0/0.02" if ranks > 1 else "0.02"
         self.assertTrue(os.path.isfile(done.path(place, "UMean")))
 
-        steps = round(0.02 / float(done.results()["meta"].attrs["solid_step"]))
+        steps = round(0.02 / done.meta["solid_step"])
         energy = numpy.loadtxt(done.path("dem/energy.txt"))
         self.assertEqual(energy[-1, 0], steps // 40 * 40)
-        snapshots = done.snapshots()
-        last = snapshots[max(snapshots)]
+        last = done.last()
         dump = support.read(done.path("dem/states.dump")).split("ITEM: TIMESTEP\n")[-1]
         self.assertEqual(int(dump.split("\n")[0]), steps // 40 * 40)
         if steps % 40 == 0:

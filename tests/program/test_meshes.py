@@ -96,9 +96,8 @@ class Meshes(unittest.TestCase):
                     mesh_zoo.decompose(folder, mesh, ranks)
                 done = support.execute(folder, ranks)
                 self.assertEqual(done.code, 0, done.text)
-                with done.results() as file:
-                    self.assertEqual(file["ledger/centres_beyond_edge"][-1], beyond)
-                    self.assertEqual(file["ledger/particles_outside_mesh"][-1], 0)
+                self.assertEqual(done.column("ledger/centres_beyond_edge")[-1], beyond)
+                self.assertEqual(done.column("ledger/particles_outside_mesh")[-1], 0)
                 found = mesh_zoo.solids(folder, mesh, ranks) @ mesh.volume
                 self.assertLess(abs(found / (200 * zoo_packings.SPHERE * diameter**3) - 1), ROUND_OFF)
 

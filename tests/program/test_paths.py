@@ -22,10 +22,7 @@ class Paths(support.ProgramTest):
         self.case = os.path.join(self.root, "box")
 
     def run_tool(self, *given):
-        command = [os.path.join(support.TOOLS, "run"), self.case, "--out", os.path.join(self.root, "out"), "--no-picture", *given]
-        return subprocess.run(
-            command, env=support.environment(INTERPHASE_BIN=support.PROGRAM), stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=120
-        )
+        return support.tool("run", self.case, "--out", os.path.join(self.root, "out"), "--no-picture", *given)
 
     def stopped(self, done, expected):
         self.assertIn(done.code, (1, 4, 5), done.text)  # refused, by LIGGGHTS, by OpenFOAM

@@ -97,8 +97,7 @@ class PluginTest(support.ProgramTest):
     def solid_step(self, *given, **how):
         done = self.coupled(*given, **how)
         self.assertEqual(done.code, 0, done.text)
-        with done.results() as file:
-            return float(file["/meta"].attrs["solid_step"])
+        return done.meta["solid_step"]
 
     def refused(self, done, *expected):
         self.assertGreater(done.code, 0, done.text)
@@ -159,8 +158,7 @@ class Loading(PluginTest):
     def test_the_run_tells_which(self):
         done = self.coupled(["kick"])
         self.assertRegex(done.out, r"plug-ins +kick \(.*/libkick\.so: test/kick\)")
-        with done.results() as file:
-            self.assertRegex(str(file["/meta"].attrs["plugins"]), r"kick \(.*/libkick\.so: test/kick\)")
+        self.assertRegex(done.meta["plugins"], r"kick \(.*/libkick\.so: test/kick\)")
 
     def test_no_plug_in_is_liggghts_as_it_is(self):
         done = self.native([], script=SCENE + MOVE)

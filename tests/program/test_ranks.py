@@ -16,6 +16,7 @@ import numpy
 
 import measured
 import support
+from interphase import stored
 
 STEPS = 50
 LONGEST = 300  # [s], for four ranks on two busy cores: they wait for each other some thousand times in a gas step
@@ -112,8 +113,7 @@ class ExchangeVolume(support.ProgramTest):
         self.edit(folder, "dem/in.liggghts", r"^processors .*$", f"processors {split}")
         if sideways:
             self.edit(folder, "dem/in.liggghts", r"^read_data .*$", f"read_data dem/bed.data\nvelocity all set {sideways} 0 0")
-        with self.run_case(folder, 2).results() as file:
-            return float(file["/exchange"].attrs["bytes_sent"])
+        return stored.attributes(self.run_case(folder, 2).path("results.h5"), "exchange")["bytes_sent"]
 
     def test_volume_follows_the_particles_that_are_elsewhere(self):
         """Where both engines cut the vessel alike, only gas cells at the cut are exchanged: no more for twice the

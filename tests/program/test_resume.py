@@ -7,7 +7,6 @@ for 20 gas steps. And what a resumed run refuses or tells."""
 
 import os
 import shutil
-import subprocess
 import unittest
 
 import numpy
@@ -16,7 +15,7 @@ import support
 import test_populations
 import vessel
 from resumed_run import ResumedMethods, parts, states
-from vessel import DEPTH, DIAMETER, HEIGHT, WIDTH
+from vessel import WIDTH
 
 
 class Resume(ResumedMethods, support.ProgramTest):
@@ -43,8 +42,7 @@ class Resume(ResumedMethods, support.ProgramTest):
             shutil.copy(os.path.join(straight, records), other)
         done = self.run_case(other, options=["-resume"])
         self.expect_equal([os.path.join(folder, "checkpoints", last) for folder in (straight, other)], whole, done)
-        with whole.results() as results:
-            steps = numpy.diff(results["/ledger/time"][:])
+        steps = numpy.diff(whole.column("ledger/time"))
         self.assertGreater(steps.max() / steps.min(), 1.2)  # they do follow it
 
     def test_random_numbers_of_an_inlet(self):
@@ -112,24 +110,17 @@ class Resume(ResumedMethods, support.ProgramTest):
         done = self.run_case(folder, options=["-resume"])
         self.assertIn("checkpoints/0.02 is no whole checkpoint: rank0.state is not as it was written", done.err)
         self.assertIn("the run goes on from checkpoints/0.015", done.err)
-        with done.results() as results:
-            numpy.testing.assert_allclose(results["/ledger/time"][:], vessel.GAS_STEP * numpy.arange(1, 21), atol=1e-9)
-            numpy.testing.assert_allclose(results["/parts/time"][:], [0, 0.015], atol=1e-9)
+        numpy.testing.assert_allclose(done.column("ledger/time"), vessel.GAS_STEP * numpy.arange(1, 21), atol=1e-9)
+        numpy.testing.assert_allclose(done.column("parts/time"), [0, 0.015], atol=1e-9)
         self.assertEqual(len(done.snapshots()), 2)  # of start and end; that of the first part's end has made way
 
     def test_tools_run_goes_on(self):
-        case, folder = self.bed("TDHS"), os.path.join(self.root, "run")
+        case, folder = vessel.numbered(self.bed("TDHS"), "TDHS"), os.path.join(self.root, "run")
         coupling = os.path.join(case, "system/couplingDict")
         support.write(coupling, support.read(coupling) + f"\ncheckpoint {{ interval {self.stop}; }}\n")
-        self.edit(case, "parameters", r"^method .*$", "method TDHS;")
-        for key, value in (("width", WIDTH), ("depth", DEPTH), ("height", HEIGHT), ("diameter", DIAMETER), ("weight", 1)):
-            self.edit(case, "parameters", rf"^{key} .*$", f"{key} {value};")
 
         def tools_run(*words):
-            command = [os.path.join(support.TOOLS, "run"), case, "--out", folder, "--no-picture", *words]
-            return subprocess.run(
-                command, env=support.environment(INTERPHASE_BIN=support.PROGRAM), capture_output=True, text=True, timeout=200
-            )
+            return support.tool("run", case, "--out", folder, "--no-picture", *words)
 
         early = tools_run("--resume")
         self.assertEqual(early.returncode, 2)
@@ -146,14 +137,12 @@ class Resume(ResumedMethods, support.ProgramTest):
         folder, _ = self.ready("TDHS")
         self.set_entry(folder, "system/controlDict", "endTime", self.stop)
         done = self.run_case(folder)
-        with done.results() as results:
-            before = {name: column[:] for name, column in results["series"].items()}
+        before = done.table("series")
         snapshots = sorted(done.snapshots())
         again = self.run_case(folder, options=["-resume"])
         self.assertIn(f"Reached t = {self.stop} s", again.out)
-        with again.results() as results:
-            for name, column in before.items():
-                self.assertEqual(column.tobytes(), results["series"][name][:].tobytes(), name)
+        for name, column in before.items():
+            self.assertEqual(column.tobytes(), again.column(f"series/{name}").tobytes(), name)
         self.assertEqual(sorted(again.snapshots()), snapshots)
 
     def test_what_moves_is_told(self):

@@ -6,7 +6,6 @@
 import csv
 import math
 import os
-import subprocess
 import unittest
 
 import support
@@ -23,11 +22,9 @@ def ergun(velocity):
 
 class Sweep(support.ProgramTest):
     def sweep(self, *given):
-        done = subprocess.run(
-            [os.path.join(support.TOOLS, "sweep"), os.path.join(support.SOURCE, "cases", "packed-bed"), "--set", "inletVelocity=0.2,0.4", "--set",
-             "drag/law=Ergun", "--set", "cellsAcross=2", "--set", "cellsBed=12", "--out", os.path.join(self.root, "sweep"), *given],
-            env=support.environment(INTERPHASE_BIN=support.PROGRAM), stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=150,
-        )  # fmt: skip
+        entries = {"inletVelocity": "0.2,0.4", "drag/law": "Ergun", "cellsAcross": 2, "cellsBed": 12}
+        done = support.tool("sweep", os.path.join(support.SOURCE, "cases", "packed-bed"), *support.settings_of(entries), "--out",
+                            os.path.join(self.root, "sweep"), *given)  # fmt: skip
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         with open(os.path.join(self.root, "sweep", "sweep.csv"), encoding="utf-8", newline="") as stream:
             rows = [row for row in csv.DictReader(stream) if row["quantity"] == "pressure_drop"]

@@ -9,7 +9,6 @@ are inserted, a wall that turns in a bed; and a case with parcels.
 
 import os
 import shutil
-import subprocess
 import unittest
 
 import measured
@@ -90,10 +89,7 @@ def square(low, high, left, right):
 @unittest.skipUnless(shutil.which("liggghts"), "needs the liggghts binary")
 class Validate(support.ProgramTest):
     def validate(self, *arguments):
-        return subprocess.run(
-            [os.path.join(support.TOOLS, "validate"), *arguments], env=support.environment(INTERPHASE_BIN=support.PROGRAM),
-            stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=support.LONGEST,
-        )
+        return support.tool("validate", *arguments)
 
     def script(self, text):
         path = os.path.join(self.root, "scene", "in.liggghts")

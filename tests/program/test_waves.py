@@ -6,10 +6,8 @@ step gives way. Other spheres, liquid, cells and law than those that the limit w
 
 import os
 import re
-import subprocess
 import unittest
 
-import interphase
 import support
 
 TOLD = "waves of the solid fraction run"
@@ -24,16 +22,8 @@ class Waves(support.ProgramTest):
         """(what the run said, its ledger's count of outrun steps)."""
         out = os.path.join(self.root, name)
         settings = {**SCENE, "gasStep": step, "recordInterval": step, "system/controlDict:adjustTimeStep": "yes" if adjusted else "no"}
-        words = [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
-        done = subprocess.run(
-            [os.path.join(support.TOOLS, "run"), os.path.join(support.SOURCE, "cases", "suspension"), "--no-picture", "--quiet", "--out", out,
-             "--until", str(8 * step), *words], stdin=subprocess.DEVNULL, capture_output=True, text=True,
-            env=support.environment(INTERPHASE_BIN=support.PROGRAM), timeout=250,
-        )  # fmt: skip
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        with open(os.path.join(out, "log.interphase"), encoding="utf-8") as log:
-            said = log.read()
-        return said, interphase.Run(out).ledger["steps_outrun_by_waves"].values[-1]
+        done = support.Finished(self.ran("suspension", out, until=8 * step, **settings))
+        return support.read(out, "log.interphase"), done.column("ledger/steps_outrun_by_waves")[-1]
 
     def test_are_told_and_obeyed(self):
         said, outrun = self.column("long", 0.1, False)

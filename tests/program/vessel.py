@@ -84,9 +84,17 @@ def case(root, particles="", fixes="", boundary="f f f", box=None, walls=WALLS, 
     return folder
 
 
+NUMBERS = {"width": WIDTH, "depth": DEPTH, "height": HEIGHT, "diameter": DIAMETER, "weight": 1, "inletVelocity": 0.8}
+
+
+def numbered(folder, method):
+    """That case with its own numbers in `parameters`, for tools/run."""
+    for name, value in {**NUMBERS, "method": method}.items():
+        support.ProgramTest.set_entry(folder, "parameters", name, value)
+    return folder
+
+
 def prepared(test, folder, method, ranks=1, until=0.05, **settings):
     """That case, meshed and cut into parts."""
-    numbers = {"width": WIDTH, "depth": DEPTH, "height": HEIGHT, "diameter": DIAMETER, "weight": 1, "inletVelocity": 0.8}
-    numbers["method"] = method
     run = os.path.join(os.path.dirname(folder), f"run-{method}-{ranks}")
-    return test.prepare(folder, run, ranks, until=until, **{**numbers, **settings})
+    return test.prepare(folder, run, ranks, until=until, **{**NUMBERS, "method": method, **settings})

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""tools/compare finds the one number that differs, by particle and time; its errors of means are the true ones.
+"""tools/compare finds the one number that differs, by particle and time.
 
 Dumps and records are written by hand here, so that what must be found is known; LIGGGHTS's own dumps come at the end.
 """
@@ -19,14 +19,11 @@ import unittest
 
 import h5py
 import numpy
-from scipy.signal import lfilter
-from scipy.stats import t as student
 
-import measured
 from interphase import comparison, statistical_comparison
-from interphase import time_statistics as statistics
 from interphase.commands import compare as compare_tool
 from interphase.matching_times import merged
+from made_up import correlated
 
 TOOLS = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..", "tools")
 SCRIPT = os.path.join(TOOLS, "compare")
@@ -215,7 +212,7 @@ class DumpAgainstDump(Folder):
         tables[100][0, 9] += 1
         a, b = self.dump("a"), self.dump("b", tables)
         self.assertEqual(self.compare(a, b, "--only", "position,velocity")[0], 0)
-        self.assert_refused(a, b, "--only", "velocty", says=["velocty", "Did you mean velocity?"])
+        self.assert_refused(a, b, "--only", "velocty", says=["velocty", "did you mean 'velocity'?"])
 
     def test_tolerances(self):
         tables = {step: particles(step) for step in STEPS}
@@ -415,97 +412,6 @@ class BadInput(Folder):
         self.assert_refused(a, a, "--confidence", "0.9", says=["--statistics"])
         self.assert_refused(a, a, "--statistics", "--confidence", "95", says=["between 0 and 1"])
         self.assert_refused(a, a, "--statistics", "--tolerance", "1", says=["--tolerance"])
-
-
-def correlated(random, phi, count):
-    """x_t = sum phi_k x_(t-k) + white noise of variance 1, in its stationary state; S(0) = 1 / (1 - sum phi)^2."""
-    return lfilter([1], [1, *(-p for p in phi)], random.standard_normal(count + 4000))[4000:]
-
-
-class MeanAndItsError(unittest.TestCase):
-    """Against series whose error of the mean is known.
-
-    A single estimate of S(0) from n_eff independent samples scatters by sqrt(4 / n_eff), the error of the mean by
-    half of that: 10 % at n_eff = 100. 200 series know the average estimate to 1 %; 8 % leaves room for its bias.
-    """
-
-    def check(self, phi, count, noise_is=1.0, bias=0.08):
-        random = numpy.random.default_rng(20)
-        true = noise_is / (1 - sum(phi)) / math.sqrt(count)
-        errors, inside = [], 0
-        for _ in range(200):
-            mean = statistics.mean_with_error(correlated(random, phi, count))
-            self.assertEqual(mean.reason, "")
-            errors.append(mean.error / true)
-            inside += abs(mean.value) < student.ppf(0.95, mean.freedom) * mean.error
-        measured.within(self, f"records of autoregression {[round(p, 3) for p in phi]}: stated error of the mean over the true one", numpy.mean(errors), 1, bias, "", "closed form")
-        self.assertLess(numpy.mean(numpy.abs(numpy.array(errors) - 1) > 0.3), 0.1)
-        # 90 % intervals: 180 of 200 +- 4.2 if exact; 168 allows for bias and 2 standard deviations.
-        measured.above(self, f"records of autoregression {[round(p, 3) for p in phi]}: means of {count} samples of 200 within their 90 % interval", inside, 168, "",
-                       "180 expected, +- 4.2")
-
-    def test_white_noise(self):
-        self.check([], 500)
-
-    def test_slow_decay(self):
-        self.check([0.9], 2000)  # 105 independent samples
-
-    def test_damped_oscillation(self):
-        # Period 10, decay 20 samples: a slugging bed at 20 Hz. Sums of the autocorrelation cut off early fail here.
-        r, w = math.exp(-1 / 20), 2 * math.pi / 10
-        self.check([2 * r * math.cos(w), -r * r], 1000)
-
-    def test_two_time_scales(self):
-        self.check([1.6, -0.63], 2000)  # roots 0.9 and 0.7
-
-    def test_series_that_no_autoregression_made(self):
-        # Running means over 10: S(0) is the noise's, 1.
-        random = numpy.random.default_rng(3)
-        errors = []
-        for _ in range(100):
-            x = numpy.convolve(random.standard_normal(4000), numpy.ones(10) / 10, "valid")
-            errors.append(statistics.mean_with_error(x).error * math.sqrt(len(x)))
-        self.assertAlmostEqual(numpy.mean(errors), 1, delta=0.1)
-
-    def test_long_fine_series(self):
-        # 40,000 samples, autocorrelation time 200: 100 independent samples, far more lags than coefficients.
-        random = numpy.random.default_rng(4)
-        phi = 1 - 1 / 200
-        errors = []
-        for _ in range(50):
-            mean = statistics.mean_with_error(correlated(random, [phi], 40000))
-            errors.append(mean.error * (1 - phi) * math.sqrt(40000))
-        self.assertAlmostEqual(numpy.mean(errors), 1, delta=0.1)
-
-    def test_autocorrelation_time(self):
-        mean = statistics.mean_with_error(correlated(numpy.random.default_rng(1), [0.9], 100000))
-        self.assertAlmostEqual(mean.time, 0.5 * 1.9 / 0.1, delta=1.5)
-        self.assertAlmostEqual(mean.effective, 100000 / 19, delta=900)
-
-    def test_too_short_or_drifting_is_said(self):
-        random = numpy.random.default_rng(2)
-        self.assertIn("19 samples", statistics.mean_with_error(random.standard_normal(19)).reason)
-        ramp = numpy.linspace(0, 1, 500) + 0.01 * random.standard_normal(500)
-        self.assertIn("drifts", statistics.mean_with_error(ramp).reason)
-        refused = sum(bool(statistics.mean_with_error(correlated(random, [0.98], 200)).reason) for _ in range(100))
-        self.assertGreater(refused, 85)  # two independent samples only
-
-    def test_constants_and_nonsense(self):
-        mean = statistics.mean_with_error(numpy.full(100, 0.1))
-        self.assertEqual((mean.error, mean.reason), (0.0, ""))
-        self.assertAlmostEqual(mean.value, 0.1, places=15)
-        for bad in ([], [math.nan], [[1.0]]):
-            with self.assertRaises(ValueError):
-                statistics.mean_with_error(bad)
-
-    def test_false_alarms_are_as_rare_as_stated(self):
-        random = numpy.random.default_rng(6)
-        alarms = 0
-        for _ in range(400):
-            pair = [statistics.mean_with_error(correlated(random, [0.8], n)) for n in (1000, 3000)]
-            alarms += statistics.difference(*pair).chance < 0.05
-        # 5 % of 400, binomial deviation 4.4
-        measured.below(self, "tools/compare --statistics: false alarms at 95 %, 400 pairs of correlated records of one mean", alarms, 20 + 3 * 4.4, "", "20 expected")
 
 
 class Statistics(Folder):

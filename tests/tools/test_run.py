@@ -659,68 +659,6 @@ class Rights(Bench):
         self.assertRegex(done.stderr, f"{self.out}: Permission denied.*--out DIR")
 
 
-class FoamFile(unittest.TestCase):
-    TEXT = '''/* a comment with key 1; */
-key   "a; string { with ( all";  // key 3;
-#include "other; {"
-div(phi,U)   Gauss linear;
-value uniform (0 0 2.19);
-nested { // { unbalanced in a comment
-    key 1;
-    deeper { key #calc #{ 1; } #}; key2 $key; }
-    "(U|k).*" { tolerance 1e-6; }
-    $macro;
-    ${${mode}Ends}
-}
-list ( { key 5; } 3(1 2 3) );
-dimensions [0 1 -1 0 0 0 0];
-half #eval{ 0.5 * $key };
-nested { key 2; }
-'''
-
-    def test_values(self):
-        expected = {
-            "key": '"a; string { with ( all"', "div(phi,U)": "Gauss linear", "value": "uniform (0 0 2.19)",
-            "nested/key": "2", "nested/deeper/key": "#calc #{ 1; } #}", "nested/deeper/key2": "$key",
-            'nested/"(U|k).*"/tolerance': "1e-6", "nested/(U|k).*/tolerance": "1e-6",
-            "list": "( { key 5; } 3(1 2 3) )", "dimensions": "[0 1 -1 0 0 0 0]", "half": "#eval{ 0.5 * $key }",
-        }
-        for path, value in expected.items():
-            with self.subTest(path):
-                self.assertEqual(foam_file.value(self.TEXT, path), value)
-
-    def test_a_replacement_changes_its_value_only(self):
-        for path in ("key", "div(phi,U)", "nested/deeper/key", "nested/(U|k).*/tolerance", "half", "list"):
-            with self.subTest(path):
-                old = foam_file.value(self.TEXT, path)
-                self.assertEqual(foam_file.replaced(self.TEXT, path, "7"), self.TEXT.replace(old, "7"))
-
-    def test_the_later_of_two_counts_as_in_openfoam(self):
-        self.assertTrue(foam_file.replaced(self.TEXT, "nested/key", "7").endswith("nested { key 7; }\n"))
-
-    def test_values_that_are_none(self):
-        for value in ("", "1; other 2", "{ a 1; }", "(1 2", '"open', "1 // hidden", "}", "#{ a"):
-            with self.subTest(value), self.assertRaises(foam_file.FoamFileError):
-                foam_file.replaced(self.TEXT, "value", value)
-
-    def test_values_that_are(self):
-        for value in ("1", "(0 0 1)", "uniform (0 0 3.28)", '"a; b"', "$velocity", "#eval{ 1 + 1 }", "table ((0 1) (1 2))"):
-            with self.subTest(value):
-                self.assertEqual(foam_file.value(foam_file.replaced(self.TEXT, "value", value), "value"), value)
-
-    def test_missing_entries_name_the_level_and_the_nearest(self):
-        with self.assertRaisesRegex(foam_file.FoamFileError, "no entry 'keey2' in 'nested/deeper': did you mean 'key2'"):
-            foam_file.find(self.TEXT, "nested/deeper/keey2")
-        with self.assertRaisesRegex(foam_file.FoamFileError, "'value' is a value"):
-            foam_file.find(self.TEXT, "value/x")
-
-    def test_broken_files_name_the_line(self):
-        for text, message in (("a 1;\nb {\n", "line 2"), ("a 1;\n}\n", "line 2"), ("a 1\n", "line 1"), ("\n/* x", "line 2"),
-                              ("a (1;\n", "line 1"), ("a (1];\n", "line 1")):
-            with self.subTest(text), self.assertRaisesRegex(foam_file.FoamFileError, message):
-                foam_file.parse(text)
-
-
 class Cases(Bench):
     def test_a_mistyped_case_is_guessed_and_all_are_listed(self):
         write(os.path.join(self.root, "sscp1/system/couplingDict"), "")

@@ -2,7 +2,6 @@
 """Statistics of one or several runs over the same simulated time, side by side: profiles, overlaps, voidage, pressure."""
 
 import argparse
-import json
 import math
 import os
 import sys
@@ -13,8 +12,9 @@ from interphase.input_error import InputError
 from interphase.matching_times import Matching
 from interphase.report_scene import BoxMesh
 from interphase.report_vessel import box_of, vessel_of
-from interphase.run_records import find_run, open_h5
+from interphase.run_records import find_run
 from interphase.start_up import StartUp, later_half, start_up_of_run
+from interphase.stored import open_h5
 
 DETAILS = """Any run will do, of any vessel and length. x goes across, y is the depth from the front wall on, z is up.
 Start-up is left out: what comes before --from, else before `from` of system/reportDict, else the time that MSER-5
@@ -111,7 +111,7 @@ def number(text):
 
 
 def opened(path, no_write):
-    """The `Run` in the folder `path`."""
+    """The `Records` in the folder `path`."""
     if not os.path.isdir(path):
         what = "is a file" if os.path.exists(path) else "no such folder"
         raise InputError(f"{path}: {what}; give a run's folder, such as runs/sscp1-CGPM-w8")
@@ -127,30 +127,13 @@ def opened(path, no_write):
     return run
 
 
-def weight_of(run):
-    """Real particles per tracked one, from /meta or run.json; None where neither says."""
-    try:
-        if run.results:
-            with open_h5(run.results) as file:
-                return float(file["meta"].attrs["weight"])
-    except (InputError, KeyError):
-        pass
-    try:
-        with open(os.path.join(run.path, "run.json"), encoding="utf-8") as file:
-            return float(json.load(file)["weight"])
-    except (OSError, ValueError, KeyError, TypeError):
-        return None
-
-
 def started_from(run):
     """Which run this one started from, by tools/run --from, as a phrase; None where it did not."""
-    try:
-        with open(os.path.join(run.path, "run.json"), encoding="utf-8") as file:
-            start = json.load(file)["from"]
-        results = f", results.h5 of sha256 {start['results_sha256'][:12]}" if start["results_sha256"] else ""
-        return f"starts from t = {start['time']:.9g} s of {start['run']} ({start['method']}{results}); {start['gas'] or 'no gas'}"
-    except (OSError, ValueError, KeyError, TypeError):
+    start = run.record.get("from")
+    if start is None:
         return None
+    results = f", results.h5 of sha256 {start['results_sha256'][:12]}" if start["results_sha256"] else ""
+    return f"starts from t = {start['time']:.9g} s of {start['run']} ({start['method']}{results}); {start['gas'] or 'no gas'}"
 
 
 def names_of(runs):
@@ -282,7 +265,7 @@ def report(options):
     if options.depth:
         depth = "front_slice" if options.depth == "front" else "full_depth"
     else:
-        depth = "front_slice" if all(weight_of(run) == 1 for run in runs) else "full_depth"
+        depth = "front_slice" if all(run.recorded("weight") == 1 for run in runs) else "full_depth"
 
     print(f"from {start:g} to {end:g} s ({looked_at.how})" + (f"; {described(scene.windows, depth)}" if scene.windows else ""))
     print("\n".join(report_table.text(names, reports, depth, options.confidence)))

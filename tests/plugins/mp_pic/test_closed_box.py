@@ -60,10 +60,16 @@ class ClosedBox(support.ProgramTest):
         parcels = crowd()
         done = self.run_box("uniform", parcels=parcels, fluid=THIN, gas=FROZEN, mapping="type cellCentre;", step=1e-4, end=1e-4,
                             integrator="fix move all mp_pic\n" + SUMS)  # fmt: skip
+<<<<<<< HEAD
         snapshots = done.snapshots()
         change = snapshots[max(snapshots)]["velocity"] - parcels[1]
         # against 0.2 m/s; the stress of 27 parcels is 0.4 Pa
         measured.below(self, "uniform bed: velocity that the stress gives in a step", abs(change).max(), 1e-12, "m/s", "no gradient")
+=======
+        change = done.last()["velocity"] - parcels[1]
+        print(f"uniform bed: velocities change by {abs(change).max():.1e} m/s")
+        self.assertLess(abs(change).max(), 1e-12)  # against 0.2 m/s; the stress of 27 parcels is 0.4 Pa
+>>>>>>> h-py
 
     def test_no_force_where_a_bed_of_mixed_weights_is_uniform(self):
         """Weights of 1 to 4 in every cell, in each the same: the solid fraction is the parcels', whatever number makes it."""
@@ -72,8 +78,7 @@ class ClosedBox(support.ProgramTest):
         weights = (1.0 + inside % 4).tolist()
         done = self.run_box("mixed", parcels=(position, velocity), diameter=DIAMETER * numpy.cbrt(weights), more=boxes.weighted(weights),
                             fluid=THIN, gas=FROZEN, mapping="type cellCentre;", step=1e-4, end=1e-4, integrator="fix move all mp_pic\n" + SUMS)  # fmt: skip
-        snapshots = done.snapshots()
-        last = snapshots[max(snapshots)]
+        last = done.last()
         change = last["velocity"] - velocity
         numpy.testing.assert_array_equal(last["weight"], weights)
         fraction = sum(1.0 + k % 4 for k in range(27)) * MASS / DENSITY / numpy.prod(numpy.array(SIZE) / CELLS)
@@ -83,8 +88,7 @@ class ClosedBox(support.ProgramTest):
     def test_momentum_comes_from_stress_and_walls_alone(self):
         parcels = heaped()
         done = self.run_box("heap", parcels=parcels, fluid=THIN, gas=FROZEN, step=5e-4, end=0.1, integrator="fix move all mp_pic overfilled count\n" + SUMS)
-        snapshots = done.snapshots()
-        change = self.momentum(snapshots[max(snapshots)]) - MASS * parcels[1].sum(axis=0)
+        change = self.momentum(done.last()) - MASS * parcels[1].sum(axis=0)
         by_stress, by_walls = self.sums(done)
         scale = MASS * abs(parcels[1]).sum()
         off = abs(change - by_stress - by_walls).max() / scale
@@ -94,10 +98,8 @@ class ClosedBox(support.ProgramTest):
 
     def test_books_with_the_gas_close(self):
         done = self.run_box("books", parcels=heaped(), gravity=9.81, step=5e-4, end=0.1, integrator="fix move all mp_pic overfilled count\n")
-        with done.results() as file:
-            self.assertLess(file["/ledger/momentum_residual"][:].max(), 1e-12)
-            self.assertLess(file["/ledger/volume_residual"][:].max(), 1e-12)
-            self.assertIn("cells_beyond_close_packing", file["/ledger"])
+        self.assert_books_close(done, ("momentum", "volume"))
+        self.assertIn("cells_beyond_close_packing", done.run.ledger)
 
     def test_an_adjusted_step_heeds_the_parcels(self):
         """Eq. 28: where the gas step may change, none crosses more than its share of a cell."""
@@ -110,9 +112,8 @@ class ClosedBox(support.ProgramTest):
         with open(os.path.join(folder, "system", "controlDict"), "a") as file:
             file.write(f"adjustTimeStep yes; maxCo 1000; maxDeltaT {longest};\n")
         done = self.run_case(folder)
-        with done.results() as file:
-            steps = numpy.diff(file["/ledger/time"][:])
-            self.assertEqual(file["/ledger/step_crosses_cells"][-1], 0)
+        steps = numpy.diff(done.column("ledger/time"))
+        self.assertEqual(done.column("ledger/step_crosses_cells")[-1], 0)
         allowed = share * SIZE[2] / CELLS[2] / speed
         print(f"eq. 28 allows {allowed} s of {longest} s; steps grew from {steps[0]:.3g} to {steps.max():.3g} s")
         self.assertAlmostEqual(steps.max(), allowed, delta=1e-9)  # a whole number of solid steps, so it is met
@@ -126,8 +127,7 @@ class ClosedBox(support.ProgramTest):
         for name, method, integrator in (("mp_pic", "MPPIC", "fix move all mp_pic stress off\n"), ("dem", "DEM", "fix move all nve/sphere\n")):
             done = self.run_box(name, parcels=(position, velocity), method=method, integrator=integrator, gravity=9.81, step=5e-4, end=0.04,
                                 walls=boxes.PLANES if name == "mp_pic" else "", particles="solidStep 2.5e-4;")  # fmt: skip
-            snapshots = done.snapshots()
-            found[name] = snapshots[max(snapshots)]
+            found[name] = done.last()
         for what in ("position", "velocity"):
             off = abs(found["mp_pic"][what] - found["dem"][what]).max()
             # the same operations in another library; gas solvers start from the same numbers
@@ -139,10 +139,9 @@ class ClosedBox(support.ProgramTest):
         for ranks in (1, 2, 4):
             done = self.run_box(f"ranks{ranks}", ranks, parcels=heaped(), gravity=9.81, step=5e-4, end=0.2, write_every=0.01,
                                 integrator="fix move all mp_pic overfilled count\n")  # fmt: skip
-            with done.results() as file:
-                self.assertLess(file["/ledger/momentum_residual"][:].max(), 1e-12)
-                self.assertEqual(file["/series/particles"][-1], 5000)
-                means[ranks] = [file[f"/series/{name}"][-10:].mean() for name in ("bed_height", "kinetic_energy", "lowest_voidage")]
+            self.assert_books_close(done, ("momentum",))
+            self.assertEqual(done.column("series/particles")[-1], 5000)
+            means[ranks] = [done.column(f"series/{name}")[-10:].mean() for name in ("bed_height", "kinetic_energy", "lowest_voidage")]
             print(f"{ranks} ranks: bed height, kinetic energy, lowest voidage {means[ranks]}")
         for ranks in (2, 4):
             # sums in another order, 1e-16, which 400 steps make grow to 1e-12 or so

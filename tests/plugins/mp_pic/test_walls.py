@@ -40,8 +40,7 @@ class Walls(support.ProgramTest):
         folder = box.write(os.path.join(self.root, f"flight{len(os.listdir(self.root))}"))
         for name, text in files:
             support.write(os.path.join(folder, name), text)
-        snapshots = self.run_case(folder).snapshots()
-        last = snapshots[max(snapshots)]
+        last = self.run_case(folder).last()
         return last["position"], last["velocity"]
 
     def off(self, found, expected):

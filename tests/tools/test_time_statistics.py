@@ -1,0 +1,145 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Errors of means are the true ones. statsmodels is the judge: of Burg's recursion, of what a model says, of the true error of a series."""
+
+import math
+import unittest
+
+import numpy
+from scipy.stats import t as student
+from statsmodels.regression import linear_model
+from statsmodels.tsa.arima_process import ArmaProcess
+
+import measured
+from interphase import time_statistics as statistics
+from made_up import correlated
+
+# Period 10, decay 20 samples: a slugging bed at 20 Hz.
+SLUGGING = (2 * math.exp(-1 / 20) * math.cos(2 * math.pi / 10), -math.exp(-1 / 10))
+MODELS = ((), (0.9,), SLUGGING, (1.6, -0.63))  # the last has two times, roots 0.9 and 0.7
+
+
+def process(phi, noise=1.0):
+    """statsmodels' autocovariances of x_t = sum phi_k x_(t-k) + noise of this variance, a function of how many."""
+    return lambda lags: noise * ArmaProcess([1, *(-p for p in phi)], [1]).acovf(lags)
+
+
+def true_error(phi, count):
+    """Of the mean of `count` samples: variance = sum over all pairs of their autocovariance, over count^2."""
+    covariance = process(phi)(count)
+    lags = numpy.arange(1, count)
+    return math.sqrt((covariance[0] + 2 * ((1 - lags / count) * covariance[1:]).sum()) / count)
+
+
+class BesideStatsmodels(unittest.TestCase):
+    def test_the_recursion_has_the_same_coefficients(self):
+        random = numpy.random.default_rng(11)
+        for phi in MODELS:
+            for count in (30, 500):
+                series = correlated(random, phi, count)
+                series -= series.mean()
+                orders = dict(enumerate(statistics.burg(series, 8)))
+                self.assertEqual(len(orders), 9)
+                for order in range(1, 9):
+                    with self.subTest(phi=phi, count=count, order=order):
+                        theirs, noise = linear_model.burg(series, order, demean=False)
+                        numpy.testing.assert_allclose(orders[order][0], theirs, rtol=0, atol=1e-12)  # round-off of sums over 500
+                        # Theirs is the mean square of the residuals of what is left after each order, ours keeps the variance that
+                        # the coefficients imply; `order` samples of `count` are between them.
+                        self.assertAlmostEqual(orders[order][1] / noise, 1, delta=4 * order / count)
+
+    def test_a_model_s_autocovariances(self):
+        for phi in MODELS[1:]:
+            numpy.testing.assert_allclose(statistics._autocovariances(numpy.array(phi), 2.5), process(phi, 2.5)(len(phi)), rtol=1e-12)
+
+    def test_the_spectrum_at_frequency_zero(self):
+        """S(0) = noise/(1 - sum phi)^2, which the error of a mean is made of, is the limit of n times the variance of the mean."""
+        for phi in MODELS:
+            self.assertAlmostEqual(true_error(phi, 100000) * math.sqrt(100000) * (1 - sum(phi)), 1, delta=1e-3)
+
+
+class MeanAndItsError(unittest.TestCase):
+    """Against series whose error of the mean statsmodels knows.
+
+    A single estimate of S(0) from n_eff independent samples scatters by sqrt(4 / n_eff), the error of the mean by
+    half of that: 10 % at n_eff = 100. 200 series know the average estimate to 1 %; 8 % leaves room for its bias.
+    """
+
+    def check(self, phi, count, bias=0.08):
+        random = numpy.random.default_rng(20)
+        true = true_error(phi, count)
+        errors, inside = [], 0
+        for _ in range(200):
+            mean = statistics.mean_with_error(correlated(random, phi, count))
+            self.assertEqual(mean.reason, "")
+            errors.append(mean.error / true)
+            inside += abs(mean.value) < student.ppf(0.95, mean.freedom) * mean.error
+        of = f"records of autoregression {[round(p, 3) for p in phi]}, {count} samples: "
+        measured.within(self, of + "stated error of the mean over the true one", numpy.mean(errors), 1, bias, "", "statsmodels")
+        self.assertLess(numpy.mean(numpy.abs(numpy.array(errors) - 1) > 0.3), 0.1)
+        # 90 % intervals: 180 of 200 +- 4.2 if exact; 168 allows for bias and 2 standard deviations.
+        measured.above(self, of + "means of 200 within their 90 % interval", inside, 168, "", "180 expected, +- 4.2")
+
+    def test_white_noise(self):
+        self.check([], 500)
+
+    def test_slow_decay(self):
+        self.check([0.9], 2000)  # 105 independent samples
+
+    def test_damped_oscillation(self):
+        self.check(SLUGGING, 1000)  # sums of the autocorrelation cut off early fail here
+
+    def test_two_time_scales(self):
+        self.check([1.6, -0.63], 2000)  # roots 0.9 and 0.7
+
+    def test_series_that_no_autoregression_made(self):
+        # Running means over 10: S(0) is the noise's, 1.
+        random = numpy.random.default_rng(3)
+        errors = []
+        for _ in range(100):
+            x = numpy.convolve(random.standard_normal(4000), numpy.ones(10) / 10, "valid")
+            errors.append(statistics.mean_with_error(x).error * math.sqrt(len(x)))
+        self.assertAlmostEqual(numpy.mean(errors), 1, delta=0.1)
+
+    def test_long_fine_series(self):
+        # 40,000 samples, autocorrelation time 200: 100 independent samples, far more lags than coefficients.
+        random = numpy.random.default_rng(4)
+        phi = 1 - 1 / 200
+        errors = []
+        for _ in range(50):
+            mean = statistics.mean_with_error(correlated(random, [phi], 40000))
+            errors.append(mean.error * (1 - phi) * math.sqrt(40000))
+        self.assertAlmostEqual(numpy.mean(errors), 1, delta=0.1)
+
+    def test_autocorrelation_time(self):
+        mean = statistics.mean_with_error(correlated(numpy.random.default_rng(1), [0.9], 100000))
+        self.assertAlmostEqual(mean.time, 0.5 * 1.9 / 0.1, delta=1.5)
+        self.assertAlmostEqual(mean.effective, 100000 / 19, delta=900)
+
+    def test_too_short_or_drifting_is_said(self):
+        random = numpy.random.default_rng(2)
+        self.assertIn("19 samples", statistics.mean_with_error(random.standard_normal(19)).reason)
+        ramp = numpy.linspace(0, 1, 500) + 0.01 * random.standard_normal(500)
+        self.assertIn("drifts", statistics.mean_with_error(ramp).reason)
+        refused = sum(bool(statistics.mean_with_error(correlated(random, [0.98], 200)).reason) for _ in range(100))
+        self.assertGreater(refused, 85)  # two independent samples only
+
+    def test_constants_and_nonsense(self):
+        mean = statistics.mean_with_error(numpy.full(100, 0.1))
+        self.assertEqual((mean.error, mean.reason), (0.0, ""))
+        self.assertAlmostEqual(mean.value, 0.1, places=15)
+        for bad in ([], [math.nan], [[1.0]]):
+            with self.assertRaises(ValueError):
+                statistics.mean_with_error(bad)
+
+    def test_false_alarms_are_as_rare_as_stated(self):
+        random = numpy.random.default_rng(6)
+        alarms = 0
+        for _ in range(400):
+            pair = [statistics.mean_with_error(correlated(random, [0.8], n)) for n in (1000, 3000)]
+            alarms += statistics.difference(*pair).chance < 0.05
+        self.assertLess(alarms, 20 + 3 * 4.4)  # 5 % of 400, binomial deviation 4.4
+
+
+if __name__ == "__main__":
+    unittest.main()
