@@ -13,6 +13,7 @@ import subprocess
 import sys
 
 from interphase import parameters
+from interphase.drag_laws import LAWS
 from interphase.run import Run
 
 CASE = os.path.dirname(os.path.realpath(__file__))
@@ -20,43 +21,6 @@ REPOSITORY = os.path.dirname(os.path.dirname(CASE))
 RUN = os.path.join(REPOSITORY, "tools", "run")
 OUT = os.path.join(REPOSITORY, "runs", "packed-bed-sweep")
 MEASURED_U_MF = 1.05  # m/s, SSCP-I particles: Liu and van Wachem, Powder Technol. 343 (2019) 145
-
-
-# Drag over Stokes drag, F(eps, Re) with beta = 18 mu eps (1 - eps) F/d^2 and Re = eps rho |u_g - v| d/mu. The program
-# has its own; these are written down a second time from the papers, on purpose, to hold the program against.
-
-
-def bvk(eps, re):
-    """Beetstra, van der Hoef and Kuipers, AIChE J. 53 (2007) 489."""
-    phi = 1 - eps
-    drag = 10 * phi / eps**2 + eps**2 * (1 + 1.5 * math.sqrt(phi))
-    quotient = (1 / eps + 3 * eps * phi + 8.4 * re**-0.343) / (1 + 10 ** (3 * phi) * re ** (-0.5 - 2 * phi))
-    return drag + 0.413 * re / (24 * eps**2) * quotient
-
-
-def ergun(eps, re):
-    """Ergun, Chem. Eng. Prog. 48 (1952) 89: dp/L = 150 mu (1-eps)^2 U/(eps^3 d^2) + 1.75 rho (1-eps) U^2/(eps^3 d)."""
-    return (150 * (1 - eps) + 1.75 * re) / (18 * eps**2)
-
-
-def wen_yu(eps, re):
-    """Wen and Yu, Chem. Eng. Prog. Symp. Ser. 62 (1966) 100."""
-    single = 24 * (1 + 0.15 * re**0.687) if re < 1000 else 0.44 * re  # C_D Re
-    return single / 24 * eps**-3.65
-
-
-def gidaspow(eps, re):
-    """Gidaspow, Multiphase Flow and Fluidization, Academic Press (1994)."""
-    return ergun(eps, re) if eps < 0.8 else wen_yu(eps, re)
-
-
-def di_felice(eps, re):
-    """Di Felice, Int. J. Multiphase Flow 20 (1994) 153."""
-    exponent = 3.7 - 0.65 * math.exp(-0.5 * (1.5 - math.log10(re)) ** 2)
-    return re / 24 * (0.63 + 4.8 / math.sqrt(re)) ** 2 * eps**-exponent
-
-
-LAWS = {"BVK": bvk, "Ergun": ergun, "WenYu": wen_yu, "Gidaspow": gidaspow, "DiFelice": di_felice}
 
 
 class Scene:

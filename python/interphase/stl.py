@@ -3,6 +3,10 @@
 
 import numpy
 
+from interphase.input_error import InputError
+
+BINARY = numpy.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("more", "<u2")])  # a triangle; 80 bytes and their number come before
+
 
 def write_stl(path, solids):
     """`solids`: {name: triangles [n, 3 corners, 3]}; snappyHexMesh makes a patch of each name."""
@@ -34,3 +38,21 @@ def revolved(profile, around):
             if high > 0:
                 triangles.append((a, c, d))
     return numpy.array(triangles)
+
+
+def read_stl(path):
+    """Triangles [n, 3 corners, 3] of all solids in the file, ASCII or binary; InputError where it is neither."""
+    try:
+        with open(path, "rb") as file:
+            data = file.read()
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+    # A binary file may begin with "solid", too; its length tells.
+    if len(data) >= 84 and len(data) == 84 + BINARY.itemsize * int.from_bytes(data[80:84], "little"):
+        return numpy.frombuffer(data, BINARY, offset=84)["corners"].astype(float)
+    words = [line.split() for line in data.splitlines()]
+    try:
+        corners = numpy.array([[float(number) for number in each[1:4]] for each in words if each[:1] == [b"vertex"]])
+        return corners.reshape(-1, 3, 3)
+    except ValueError:
+        raise InputError(f"{path}: is no STL file: corners of triangles, three numbers each, are expected") from None

@@ -1,25 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a drag law says of a uniform suspension: hindered velocity, relaxation time, equilibrium in a stream, minimum fluidization.
 
-SI units; velocities are magnitudes. The drag laws are written down a second time from the papers, to hold the program's against.
-F is the drag over Stokes's: the force of the drag on a particle is V_p 18 mu eps F slip/d^2, Re = eps rho slip d/mu.
+SI units; velocities are magnitudes.
 """
 
 import math
 from dataclasses import dataclass
 
-
-def wen_yu(eps, re):
-    """Wen and Yu, Chem. Eng. Prog. Symp. Ser. 62 (1966) 100, with C_D of Schiller and Naumann."""
-    return (1 + 0.15 * re**0.687 if re < 1000 else 0.44 * re / 24) * eps**-3.65
-
-
-def ergun(eps, re):
-    """Ergun, Chem. Eng. Prog. 48 (1952) 89."""
-    return (150 * (1 - eps) + 1.75 * re) / (18 * eps**2)
-
-
-LAWS = {"WenYu": wen_yu, "Ergun": ergun}
+from interphase.drag_laws import LAWS
 
 
 def where(function, target, low=1e-9, high=1e3):

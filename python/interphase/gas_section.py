@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fields of the gas in the cells that an upright plane cuts, of a run that is whole or in the pieces of its ranks."""
+
+import os
+from dataclasses import dataclass
+
+import numpy
+
+from interphase import foam_field, gas_fields, gas_mesh
+from interphase.input_error import InputError
+
+SAME_TIME = 1e-6  # relative: folders are named with few digits
+
+
+@dataclass(frozen=True)
+class Section:
+    """`polygons`: corners [k, 2] (x, z), m, of each cell; `values` [n] or [n, 3] there; `middles` [n, 2] of the cells' polygons, at `time` [s]."""
+
+    time: float
+    polygons: list
+    middles: numpy.ndarray
+    values: numpy.ndarray
+
+
+class GasSections:
+    """What the plane at `y` [m] cuts of the gas of the run in `folder`; meshes are read once."""
+
+    def __init__(self, folder, y):
+        self.folder, self.y = folder, y
+        self._cells = {}
+
+    def times(self, field):
+        """{time [s]: folders that together hold `field` at it}, ascending."""
+        found = {}
+        parts = gas_mesh.ranks(self.folder)
+        for name, time in gas_fields.times(parts[0]).items() if parts else ():
+            if all(foam_field.path_of(os.path.join(part, name), field) for part in parts):
+                found[time] = [os.path.join(part, name) for part in parts]
+        for name, time in gas_fields.times(self.folder).items():
+            if foam_field.path_of(os.path.join(self.folder, name), field) and gas_mesh.pieces(self.folder) == [self.folder]:
+                found[time] = [os.path.join(self.folder, name)]
+        for time in sorted(found)[:1]:
+            # The start is what the case asks for, maybe in the words of its `parameters`.
+            if not all(_has_values(foam_field.path_of(folder, field)) for folder in found[time]):
+                del found[time]
+        return dict(sorted(found.items()))
+
+    def nearest(self, field, time):
+        """The `Section` of `field` at the time that is nearest to `time` [s]; InputError where it was never written."""
+        there = self.times(field)
+        if not there:
+            raise InputError(f"{self.folder}: no {field} of the gas was written; writeInterval in system/controlDict asks for it, and a mesh must be "
+                             "beside it")  # fmt: skip
+        chosen = min(there, key=lambda each: abs(each - time))
+        parts = [self._part(folder, field) for folder in there[chosen]]
+        polygons = [each for part in parts for each in part[0]]
+        middles = numpy.array([each.mean(axis=0) for each in polygons]).reshape(-1, 2)
+        return Section(chosen, polygons, middles, numpy.concatenate([part[1] for part in parts]))
+
+    def _part(self, folder, field):
+        base = os.path.dirname(folder)
+        if base not in self._cells:
+            mesh = gas_mesh.read(base)
+            self._cells[base] = (*gas_mesh.polygons(mesh, gas_mesh.cut(mesh, self.y)), mesh.cells)
+        cells, polygons, count = self._cells[base]
+        path = foam_field.path_of(folder, field)
+        found = foam_field.internal_field(path)
+        if not found.uniform and len(found.values) != count:
+            raise InputError(f"{path}: {len(found.values)} values, and the mesh in {base} has {count} cells: it is another mesh's")
+        values = numpy.broadcast_to(found.values, (count, found.values.shape[1]))[cells]
+        return polygons, values[:, 0] if values.shape[1] == 1 else values
+
+
+def _has_values(path):
+    try:
+        foam_field.internal_field(path)
+    except (InputError, ValueError):
+        return False
+    return True
+
+
+def same_time(one, other):
+    return abs(one - other) <= SAME_TIME * max(abs(one), abs(other), 1e-300)
