@@ -15,22 +15,7 @@ from scipy.integrate import solve_ivp
 
 import measured
 import support
-
-
-def schiller_naumann(re, phi):
-    return 1 + 0.15 * re**0.687
-
-
-def beetstra(re, phi):
-    eps = 1 - phi
-    f = 10 * phi / eps**2 + eps**2 * (1 + 1.5 * math.sqrt(phi))
-    if re > 0:
-        f += 0.413 * re / (24 * eps**2) * (1 / eps + 3 * eps * phi + 8.4 * re**-0.343) / (
-            1 + 10 ** (3 * phi) * re ** (-0.5 - 2 * phi))
-    return f
-
-
-LAWS = {"SchillerNaumann": schiller_naumann, "BVK": beetstra}
+from interphase.drag_laws import LAWS
 
 
 class Settling(support.ProgramTest):
@@ -44,7 +29,7 @@ class Settling(support.ProgramTest):
 
         def rate(_, v):
             re = p["gasDensity"] * abs(v[0]) * p["diameter"] / p["gasViscosity"]
-            drag = 18 * p["gasViscosity"] * factor(re, 0.0) * v[0] / (p["diameter"] ** 2 * p["particleDensity"])
+            drag = 18 * p["gasViscosity"] * factor(1.0, re) * v[0] / (p["diameter"] ** 2 * p["particleDensity"])
             return [(1 - p["gasDensity"] / p["particleDensity"]) * p["gravity"] - drag]
 
         exact = solve_ivp(rate, (0, times[-1]), [0.0], t_eval=times, rtol=1e-10, atol=1e-12).y[0]
