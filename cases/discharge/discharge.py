@@ -10,18 +10,17 @@ import itertools
 import math
 import os
 import shutil
-import subprocess
 import sys
 import time
 
 import numpy
 
-from interphase import data_file, launch, tables
+from interphase import InputError, data_file, launch, tables
+from interphase.liggghts_dump import Dump
+from interphase.stl import write_stl
 
 CASE = os.path.dirname(os.path.realpath(__file__))
 ROOT = os.path.dirname(os.path.dirname(CASE))
-
-BUILD = os.environ.get("INTERPHASE_BUILD") or os.path.join(ROOT, "build", "release")
 
 # The spheres and their contacts are those of cases/sscp1.
 DIAMETER = 3.256e-3  # [m]
@@ -47,19 +46,8 @@ FROM, TO = 0.10, 0.50
 
 def rectangle(x0, x1):
     """Two triangles of the floor, z = 0."""
-    a, b, c, d = (x0, 0.0), (x1, 0.0), (x1, DEPTH), (x0, DEPTH)
+    a, b, c, d = (x0, 0, 0), (x1, 0, 0), (x1, DEPTH, 0), (x0, DEPTH, 0)
     return [(a, b, c), (a, c, d)]
-
-
-def write_stl(path, triangles):
-    with open(path, "w", encoding="ascii") as out:
-        out.write("solid surface\n")
-        for triangle in triangles:
-            out.write("facet normal 0 0 1\n outer loop\n")
-            for x, y in triangle:
-                out.write(f"  vertex {x:.9g} {y:.9g} 0\n")
-            out.write(" endloop\nendfacet\n")
-        out.write("endsolid surface\n")
 
 
 def glued(random):
@@ -102,8 +90,8 @@ def prepare(folder, options, seed):
         shutil.copy(source, folder)
     shutil.copy(os.path.join(CASE, "dem", f"{options.engine}.liggghts"), os.path.join(folder, "engine.liggghts"))
     left, right = 0.5 * (WIDTH - SLOT), 0.5 * (WIDTH + SLOT)
-    write_stl(os.path.join(folder, "floor.stl"), rectangle(0, left) + rectangle(right, WIDTH))
-    write_stl(os.path.join(folder, "plug.stl"), rectangle(left, right))
+    write_stl(os.path.join(folder, "floor.stl"), {"surface": rectangle(0, left) + rectangle(right, WIDTH)})
+    write_stl(os.path.join(folder, "plug.stl"), {"surface": rectangle(left, right)})
     write_bed(os.path.join(folder, "bed.data"), options.count, seed, options.rough)
 
 
@@ -126,34 +114,19 @@ def variables(options):
 
 def simulate(folder, options, seed):
     prepare(folder, options, seed)
-    if options.engine == "dem":
-        command = ["liggghts"]
-    else:
-        command = [os.path.join(BUILD, "interphase-liggghts"), "-plugin", os.path.join(BUILD, "plugins", "libhard_sphere.so")]
-    command += ["-in", "in.liggghts"]  # a mesh wants a screen: LIGGGHTS crashes with `-screen none`
-    for name, value in variables(options).items():
-        command += ["-var", name, f"{value}"]
     start = time.monotonic()
-    done = subprocess.run(
-        command, cwd=folder, env={**os.environ, **launch.additions(os.environ)}, stdin=subprocess.DEVNULL,
-        capture_output=True, text=True,
-    )  # fmt: skip
-    if done.returncode != 0:
-        sys.exit(f"run: LIGGGHTS ended with {done.returncode} in {folder}:\n{(done.stdout + done.stderr)[-2000:]}")
+    try:
+        launch.liggghts("in.liggghts", folder, variables(options), None if options.engine == "dem" else ["hard_sphere"])
+    except (InputError, launch.StepFailed) as error:
+        sys.exit(f"run: {error}")
     return time.monotonic() - start
 
 
 def snapshots(path):
-    """Of a dump `id x y z vx vy vz`: (step, rows `id x y z` [n x 4]) one by one."""
-    with open(path, encoding="ascii") as file:
-        while file.readline():
-            step = int(file.readline())
-            file.readline()
-            count = int(file.readline())
-            for _ in range(5):
-                file.readline()
-            rows = [file.readline().split()[:4] for _ in range(count)]
-            yield step, numpy.array(rows, dtype=float).reshape(-1, 4)
+    """Of a dump: (step, rows `id x y z` [n, 4]) one by one."""
+    for frame in Dump(path, [path]).frames():
+        state = frame.load()
+        yield frame.step, numpy.column_stack([state.ids, state.quantities["position"]])
 
 
 def surface(centres):

@@ -22,9 +22,7 @@ import time
 
 import numpy
 
-from interphase import foam_field, launch, parameters, tables
-from interphase.input_error import InputError
-from interphase.run import Run
+from interphase import Case, InputError, Run, foam_field, gas_fields, launch, parameters, tables
 
 CASE = os.path.dirname(os.path.realpath(__file__))
 REPOSITORY = os.path.dirname(os.path.dirname(CASE))
@@ -45,21 +43,21 @@ SOFT = (
     (CONTROL, "deltaT          2e-5;", "deltaT          1e-4;"),
     (CONTROL, "writeFormat     binary;", "writeFormat     ascii;"),
 )
-FINE = ["--set", "cells=(30 2 90)"]
+FINE = {"cells": "(30 2 90)"}
 
-# What to run: name -> (program, what is changed in its tutorial), or arguments of tools/run
+# What to run: name -> (program, what is changed in its tutorial), or entries of the case
 PEERS = {
     "MPPICFoam": ("MPPICFoam", ()),
     "MPPICFoam-ErgunWenYu": ("MPPICFoam", LAW),
     "DPMFoam": ("DPMFoam", SOFT),
 }
 OURS = {
-    "MPPIC": ["--method", "MPPIC"],
-    "DEM": ["--method", "DEM", *FINE],
-    "DEM-soft": ["--method", "DEM", *FINE, "--set", "springConstant=100"],  # t_c = 1.0 ms, as DPMFoam's at 0.1 m/s
-    "TDHS": ["--method", "TDHS", *FINE],
-    "CGPM": ["--method", "CGPM", "--weight", "8"],
-    "CGHS": ["--method", "CGHS", "--weight", "8"],
+    "MPPIC": {"method": "MPPIC"},
+    "DEM": {"method": "DEM", **FINE},
+    "DEM-soft": {"method": "DEM", **FINE, "springConstant": 100},  # t_c = 1.0 ms, as DPMFoam's at 0.1 m/s
+    "TDHS": {"method": "TDHS", **FINE},
+    "CGPM": {"method": "CGPM", "weight": 8},
+    "CGHS": {"method": "CGHS", "weight": 8},
 }
 
 
@@ -88,13 +86,6 @@ def peer(folder, program, changes, until):
         launch.step([command], os.path.join(folder, f"log.{command}"), environment, folder)
 
 
-def ours(folder, arguments, until):
-    command = [os.path.join(TOOLS, "run"), CASE, *arguments, "--until", f"{until:g}", "--out", folder, "--no-picture", "--quiet"]
-    code = subprocess.run(command).returncode
-    if code != 0:
-        sys.exit(f"compare: tools/run ended with exit code {code}; its folder is {folder}")
-
-
 def run(name, folder, until):
     """Runs what is called `name` in `folder`, and leaves there what it cost."""
     shutil.rmtree(folder, ignore_errors=True)
@@ -103,7 +94,9 @@ def run(name, folder, until):
     if name in PEERS:
         peer(folder, *PEERS[name], until)
     else:
-        ours(folder, OURS[name], until)
+        ran = Case(CASE).set(OURS[name]).run(folder, until=until)
+        if not ran.ok:
+            sys.exit(f"compare: {name} {ran.state}; its folder is {folder}")
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     cost = {"wall": time.monotonic() - started,
             "cpu": after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime}
@@ -142,8 +135,8 @@ def density(folder):
 
 def times(folder):
     """Names of the time folders after the start, in their order."""
-    names = [n for n in os.listdir(folder) if re.fullmatch(r"[0-9.e-]+", n) and os.path.exists(os.path.join(folder, n, "p"))]
-    return sorted((n for n in names if float(n) > 0), key=float)
+    found = gas_fields.times(folder)
+    return sorted((name for name in found if found[name] > 0 and os.path.exists(os.path.join(folder, name, "p"))), key=found.get)
 
 
 def read(name, folder):

@@ -9,7 +9,6 @@
 import argparse
 import csv
 import os
-import subprocess
 import sys
 import tempfile
 
@@ -20,11 +19,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the back end is chosen first)
 
 HERE = os.path.dirname(os.path.realpath(__file__))
-from interphase import launch, liggghts_dump  # noqa: E402
+from interphase import InputError, launch, liggghts_dump  # noqa: E402
 
-RUNNER = os.path.join(
-    os.environ.get("INTERPHASE_BUILD") or os.path.join(HERE, "..", "..", "build", "release"), "interphase-liggghts"
-)
 QUANTITIES = {
     "rebound_angle": "angle of the centre's rebound [deg]",
     "tangential_restitution": "$v_t'/v_t$ of the centre",
@@ -44,12 +40,10 @@ def measurements():
 def simulate(tangential):
     """(impact angle [deg, n], {quantity: [n]}) for this e_t."""
     with tempfile.TemporaryDirectory(prefix="interphase-") as folder:
-        done = subprocess.run(
-            [RUNNER, "-plugin", "hard_sphere", "-in", os.path.join(HERE, "in.liggghts"), "-var", "et", str(tangential)],
-            cwd=folder, env={**os.environ, **launch.additions(os.environ)}, stdin=subprocess.DEVNULL, capture_output=True, text=True,
-        )  # fmt: skip
-        if done.returncode != 0:
-            sys.exit(f"draw: {RUNNER} ended with {done.returncode}:\n{(done.stdout + done.stderr)[-2000:]}")
+        try:
+            launch.liggghts(os.path.join(HERE, "in.liggghts"), folder, {"et": tangential}, ["hard_sphere"])
+        except (InputError, launch.StepFailed) as error:
+            sys.exit(f"draw: {error}")
         before, after = (frame.load().quantities for frame in liggghts_dump.Dump(folder, [os.path.join(folder, "dump")]).frames())
     v, w = before["velocity"], after["velocity"]
     return numpy.degrees(numpy.arctan2(v[:, 0], -v[:, 2])), {

@@ -1,27 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A run of tools/run that is to go on where its last checkpoint is."""
 
-import json
 import os
 
-from interphase import foam_file
+from interphase import ending, foam_file, run_state
 from interphase.case_folder import CONTROL
 from interphase.input_error import InputError
 
 
-def record_of(folder, mark, case):
+def record_of(folder, case):
     """What tools/run wrote of the run in `folder`; refused where there is none, or one of another case."""
-    path = os.path.join(folder, mark)
-    try:
-        with open(path, encoding="utf-8") as stream:
-            record = json.load(stream)
-    except FileNotFoundError:
-        raise InputError(f"--resume: {folder} holds no run of tools/run; name its folder by --out DIR") from None
-    except ValueError as error:
-        raise InputError(f"--resume: {path} cannot be read: {error}") from None
+    record = run_state.record(folder)
+    if not record:
+        raise InputError(f"--resume: {folder} holds no run of tools/run; name its folder by --out DIR")
     if record.get("case") != case:
         raise InputError(f"--resume: {folder} holds a run of {record.get('case')}, not of {case}; name its folder by --out DIR")
-    if not os.path.isdir(os.path.join(folder, "checkpoints")):
+    if not ending.has_checkpoint(folder):
         raise InputError(
             f"--resume: {folder} has no checkpoints: it ended before the first was due, or in an error; start it anew "
             "(--overwrite)"

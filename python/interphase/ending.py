@@ -58,10 +58,15 @@ def stopped_by(code, signals):
     return "--wall-limit" if code == WALL_LIMIT else None
 
 
+def has_checkpoint(folder):
+    """Whether the run in `folder` can be gone on with."""
+    checkpoints = os.path.join(folder, "checkpoints")
+    return os.path.isdir(checkpoints) and any(not name.startswith(".") for name in os.listdir(checkpoints))
+
+
 def way_to_go_on(case, folder):
     """The command line that goes on from a run's newest checkpoint, as the end of a sentence; empty where there is none."""
-    checkpoints = os.path.join(folder, "checkpoints")
-    if not os.path.isdir(checkpoints) or not any(not name.startswith(".") for name in os.listdir(checkpoints)):
+    if not has_checkpoint(folder):
         return ""
     return f".\nIt goes on from its last checkpoint by `tools/run {case} --out {folder} --resume`"
 

@@ -9,10 +9,10 @@ import numpy
 
 from interphase import foam_field
 from interphase.input_error import InputError
+from interphase.parts import times
 from interphase.run import no_such
 
 SAME_TIME = 1e-6  # relative: times are typed, and named in folders, with few digits
-TIME_FOLDER = re.compile(r"\d+(\.\d*)?([eE][-+]?\d+)?")
 BASE_UNITS = ("kg", "m", "s", "K", "mol", "A", "cd")  # the order of OpenFOAM's `dimensions`
 NAMED = {(1, -1, -2): "Pa", (0, 0, 0): "1"}
 
@@ -27,11 +27,6 @@ class GasField:
     values: numpy.ndarray
     unit: str
     uniform: bool
-
-
-def times(folder):
-    """{name of the time folder: time [s]} of the gas in the run's `folder`."""
-    return {name: float(name) for name in os.listdir(folder) if TIME_FOLDER.fullmatch(name) and os.path.isdir(os.path.join(folder, name))}
 
 
 def read(folder, name, time=None):
@@ -49,8 +44,7 @@ def read(folder, name, time=None):
 
 def _chosen(folder, found, time):
     """The name of the time folder that is asked for."""
-    pieces = os.path.join(folder, "processor0")
-    every = {**found, **(times(pieces) if os.path.isdir(pieces) else {})}
+    every = {**found, **times(os.path.join(folder, "processor0"))}
     if not every:
         raise InputError(f"{folder}: no fields of the gas were written; writeInterval in system/controlDict asks for them")
     chosen = max(every, key=every.get) if time is None else min(every, key=lambda name: abs(every[name] - time))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What to say where a module of Python that is not of its standard library is missing."""
 
-import importlib
+import importlib.util
 import re
 import sys
 
@@ -10,13 +10,15 @@ PACKAGES = {"numpy": "python3-numpy", "scipy": "python3-scipy", "h5py": "python3
 
 
 def words_on(error):
-    """The text for the user of a ModuleNotFoundError: which module, which Python, and how to get it. Raises `error` where it
-    is none of PACKAGES: then a file of our own is missing."""
-    name = (error.name or "").partition(".")[0]
-    if name not in PACKAGES:
+    """The text for the user of a ModuleNotFoundError: which of PACKAGES are missing, to which Python, and how to get them. Raises `error`
+    where it is of none of them: then a file of our own is missing."""
+    first = (error.name or "").partition(".")[0]
+    if first not in PACKAGES:
         raise error
-    return (f"{sys.executable} has no module {name}. On Debian: apt-get install {PACKAGES[name]} (tools/setup does) and start with "
-            f"/usr/bin/python3; for another Python: {sys.executable} -m pip install {name}")
+    names = [name for name in PACKAGES if importlib.util.find_spec(name) is None] or [first]
+    return (f"{sys.executable} has no module{'s' * (len(names) > 1)} {', '.join(names)}. On Debian: apt-get install "
+            f"{' '.join(map(PACKAGES.get, names))} (tools/setup does) and start with /usr/bin/python3; for another Python: "
+            f"{sys.executable} -m pip install {' '.join(names)}")
 
 
 def module(name):

@@ -44,7 +44,7 @@ def _follow(case, file, variables, found, missing, depth):
             raise InputError(f"'{file}', which the script of the particles includes, is not in {case.folder}")
         missing.append(file)
         return
-    for line, words in _commands(case.text(file)):
+    for line, _, words in commands(case.text(file)):
         words = [_filled(word, variables, case) for word in words]
         command, rest = words[0], words[1:]
         told = f"{file}:{line}: {' '.join(words)}"
@@ -70,8 +70,8 @@ def _follow(case, file, variables, found, missing, depth):
             found.others.append(told)
 
 
-def _commands(text):
-    """(number of the line, words) of each command of a script; `&` at the end of a line goes on in the next."""
+def commands(text):
+    """(number of the first line, of the last one, words) of each command of a script; `&` at the end of a line goes on in the next."""
     start, before = None, ""
     for number, line in enumerate(text.splitlines(), 1):
         line = before + re.sub(r"#.*", "", line).rstrip()
@@ -80,7 +80,7 @@ def _commands(text):
             before = line[:-1] + " "
             continue
         if words := line.split():
-            yield start, [word.strip("\"'") for word in words]
+            yield start, number, [word.strip("\"'") for word in words]
         start, before = None, ""
 
 

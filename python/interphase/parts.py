@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The parts of a run's folder, one for each rank: OpenFOAM's folders processor*."""
+"""The parts of a run's folder: OpenFOAM's folders processor*, one for each rank, and those of times."""
 
 import os
 import re
@@ -8,11 +8,17 @@ import shutil
 from interphase import case_folder, launch
 
 ONE = re.compile(r"processor(\d+)")
+TIME = re.compile(r"\d+(\.\d*)?([eE][-+]?\d+)?")
 COLLATED = re.compile(r"processors(\d+)(_\d+-\d+)?")  # of all ranks, by OpenFOAM's file handler `collated`
 
 
 def _named(folder, pattern):
     return [name for name in sorted(os.listdir(folder)) if pattern.fullmatch(name) and os.path.isdir(os.path.join(folder, name))]
+
+
+def times(folder):
+    """{name: time [s]} of the time folders in `folder`; none where it is not there."""
+    return {name: float(name) for name in (_named(folder, TIME) if os.path.isdir(folder) else ())}
 
 
 def collated(folder):
@@ -26,9 +32,7 @@ def number(folder):
 
 def wrote_gas(folder):
     """Whether the parts hold a time after the start."""
-    names = [name for part in ("processor0", *collated(folder)) if os.path.isdir(os.path.join(folder, part))
-             for name in os.listdir(os.path.join(folder, part))]
-    return any(re.fullmatch(r"\d+\.?\d*(e[-+]?\d+)?", name) and float(name) > 0 for name in names)
+    return any(time > 0 for part in ("processor0", *collated(folder)) for time in times(os.path.join(folder, part)).values())
 
 
 def cut(folder, ranks, gas, step):

@@ -27,29 +27,36 @@ def draw(path, names, reports, depth, scene):
         ("voidage", lambda axes: _voidage(axes, reports)),
         ("pressure", lambda axes: _pressure(axes, reports)),
     ) if there(part)]
-    plt.rcParams.update({"font.size": 8, "axes.edgecolor": INK, "axes.linewidth": 0.8, "axes.labelcolor": INK,
-                         "xtick.color": INK, "ytick.color": INK, "text.color": INK})
-    columns = min(len(panels), 3) or 1
-    lines = math.ceil(len(panels) / columns) or 1
-    figure, all_axes = plt.subplots(lines, columns, figsize=(3.5 * columns, 2.9 * lines + 0.5), squeeze=False)
-    for axes, make in zip(all_axes.flat, panels):
+    high = 0.35 * math.ceil(len(names) / 4)
+    figure, all_axes = grid(len(panels), 3.5, 2.9, 0.5)
+    for axes, make in zip(all_axes, panels):
         make(axes)
-        for side in ("top", "right"):
-            axes.spines[side].set_visible(False)
-    for axes in all_axes.flat[len(panels):]:
-        axes.set_visible(False)
-    handles = [plt.Line2D([], [], **_style(at), marker=_marker(at), markersize=4) for at in range(len(names))]
+    handles = [plt.Line2D([], [], **style(at), marker=marker(at), markersize=4) for at in range(len(names))]
     figure.legend(handles, names, loc="upper left", ncol=min(len(names), 4), frameon=False, fontsize=9)
-    figure.tight_layout(rect=(0, 0, 1, 1 - 0.35 / (2.9 * lines + 0.5) * math.ceil(len(names) / 4)))
+    figure.tight_layout(rect=(0, 0, 1, 1 - high / figure.get_figheight()))
     figure.savefig(path, dpi=160)
     plt.close(figure)
 
 
-def _style(at):
+def grid(count, wide, deep, above):
+    """(figure, `count` axes), three in a line at most, each `wide` by `deep` inches, and `above` inches over them."""
+    plt.rcParams.update({"font.size": 8, "axes.edgecolor": INK, "axes.linewidth": 0.8, "axes.labelcolor": INK,
+                         "xtick.color": INK, "ytick.color": INK, "text.color": INK})  # fmt: skip
+    columns = min(count, 3) or 1
+    lines = math.ceil(count / columns) or 1
+    figure, axes = plt.subplots(lines, columns, figsize=(max(wide * columns, 4.2), deep * lines + above), squeeze=False)
+    for each in axes.flat:
+        each.spines[["top", "right"]].set_visible(False)
+    for each in axes.flat[count:]:
+        each.set_visible(False)
+    return figure, axes.flat[:count]
+
+
+def style(at):
     return {"color": COLOURS[at % len(COLOURS)], "linewidth": 1.3}
 
 
-def _marker(at):
+def marker(at):
     return MARKERS[at % len(MARKERS)]
 
 
@@ -65,7 +72,7 @@ def _profile(axes, reports, means_of):
         drawn += 1
         values = [math.nan if mean is None else mean.value for mean in means]
         errors = [0.0 if mean is None or math.isnan(mean.error) else mean.error for mean in means]
-        axes.errorbar(report.windows, values, errors, marker=_marker(at), markersize=4, capsize=2, **_style(at))
+        axes.errorbar(report.windows, values, errors, marker=marker(at), markersize=4, capsize=2, **style(at))
     if not drawn:
         axes.text(0.5, 0.5, "no sphere's centre lies here", ha="center", transform=axes.transAxes)
     axes.set_xlabel("x [m]")
@@ -88,7 +95,7 @@ def _overlap(axes, reports):
     for at, report in enumerate(reports):
         if report.overlap is not None:
             cumulative = numpy.concatenate([[0.0], report.overlap.share.cumsum()])
-            axes.plot(100 * report.overlap.edges, 100 * cumulative, **_style(at))
+            axes.plot(100 * report.overlap.edges, 100 * cumulative, **style(at))
     axes.set_xscale("log")
     low = min(_first_percent(report.overlap) for report in reports if report.overlap is not None)
     axes.set_xlim(left=100 * low)
@@ -106,7 +113,7 @@ def _voidage(axes, reports):
         if report.voidage is None:
             continue
         share = 100 * report.voidage.share
-        axes.stairs(share, report.voidage.edges, **_style(at))
+        axes.stairs(share, report.voidage.edges, **style(at))
         # The freeboard's peak at 1 is cut.
         dense = share[report.voidage.edges[1:] < 0.95]
         top = max(top, dense.max(initial=0.0))
@@ -120,9 +127,9 @@ def _pressure(axes, reports):
     some = [(at, report) for at, report in enumerate(reports) if report.pressure is not None]
     if all(report.spectrum is not None for _, report in some):
         for at, report in some:
-            axes.semilogy(report.spectrum[0], report.spectrum[1], **_style(at))
+            axes.semilogy(report.spectrum[0], report.spectrum[1], **style(at))
         axes.set(xlabel="frequency [Hz]", ylabel="pressure drop, power [Pa²/Hz]")
         return
     for at, report in some:
-        axes.plot(report.pressure[0], report.pressure[1] / 1000, **_style(at))
+        axes.plot(report.pressure[0], report.pressure[1] / 1000, **style(at))
     axes.set(xlabel="t [s]", ylabel="pressure drop [kPa]")

@@ -61,36 +61,44 @@ def _open(path):
         ) from None
 
 
+GROUPS = ("profiles", "histograms")
+
+
 def write(run, scene, report):
     """Add or replace the groups of this report; everything else in the file stays."""
     with _open(run.results) as file:
-        profiles, histograms = file.require_group("profiles"), file.require_group("histograms")
-        for group in (profiles, histograms):
-            group.attrs["from"], group.attrs["until"] = report.first, report.last
-            group.attrs["snapshots"] = report.snapshots
-        _fresh(profiles, "front_slice", "full_depth", "window_centre", "pressure_spectrum", "means")
-        _fresh(histograms, "overlap", "voidage")
-        if report.windows is not None:
-            _data(profiles, "window_centre", report.windows, "m")
-            for depth, profile in report.profiles.items():
-                _profile(profiles.create_group(depth), profile)
-        if report.series:
-            group = profiles.create_group("means")
-            for quantity in report.series:
-                name = quantity.name.replace(",", "").replace(" ", "_")
-                attributes = _data(group, name, quantity.mean.value, quantity.unit).attrs
-                attributes["error"], attributes["trusted"] = quantity.mean.error, int(not quantity.mean.reason)
-        if report.spectrum is not None:
-            group = profiles.create_group("pressure_spectrum")
-            _data(group, "frequency", report.spectrum[0], "Hz")
-            _data(group, "power_density", report.spectrum[1], "Pa2/Hz")
-        if report.overlaps:
-            _overlaps(histograms.create_group("overlap"), scene.overlaps, report)
-        if report.voidages:
-            group = histograms.create_group("voidage")
-            _histogram(group, report.voidage)
-            _data(group, "limits", scene.voidage.limits, "1")
-            _means(group, "share_between_limits", [quantity.mean for quantity in report.voidages], "1")
+        fill(file, scene, report)
+
+
+def fill(file, scene, report):
+    """The same of an open file."""
+    profiles, histograms = map(file.require_group, GROUPS)
+    for group in (profiles, histograms):
+        group.attrs["from"], group.attrs["until"] = report.first, report.last
+        group.attrs["snapshots"] = report.snapshots
+    _fresh(profiles, "front_slice", "full_depth", "window_centre", "pressure_spectrum", "means")
+    _fresh(histograms, "overlap", "voidage")
+    if report.windows is not None:
+        _data(profiles, "window_centre", report.windows, "m")
+        for depth, profile in report.profiles.items():
+            _profile(profiles.create_group(depth), profile)
+    if report.series:
+        group = profiles.create_group("means")
+        for quantity in report.series:
+            name = quantity.name.replace(",", "").replace(" ", "_")
+            attributes = _data(group, name, quantity.mean.value, quantity.unit).attrs
+            attributes["error"], attributes["trusted"] = quantity.mean.error, int(not quantity.mean.reason)
+    if report.spectrum is not None:
+        group = profiles.create_group("pressure_spectrum")
+        _data(group, "frequency", report.spectrum[0], "Hz")
+        _data(group, "power_density", report.spectrum[1], "Pa2/Hz")
+    if report.overlaps:
+        _overlaps(histograms.create_group("overlap"), scene.overlaps, report)
+    if report.voidages:
+        group = histograms.create_group("voidage")
+        _histogram(group, report.voidage)
+        _data(group, "limits", scene.voidage.limits, "1")
+        _means(group, "share_between_limits", [quantity.mean for quantity in report.voidages], "1")
 
 
 def _fresh(group, *names):

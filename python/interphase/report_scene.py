@@ -2,8 +2,7 @@
 """What tools/report is to measure in a case: `system/reportDict` where there is one, the box mesh of `system/blockMeshDict`, and
 for what neither says the vessel and its spheres (report_vessel.py).
 
-x goes across, y is the depth with the front wall at its low end, z is up. `$name` is looked up in the file itself, then
-in the case's `parameters`. The keys and their defaults are in report_keys.py.
+x goes across, y is the depth with the front wall at its low end, z is up. The keys and their defaults are in report_keys.py.
 """
 
 import math
@@ -11,13 +10,12 @@ import os
 from dataclasses import dataclass
 from typing import Optional
 
-from interphase import foam_file
-from interphase.case_folder import PARAMETERS
-from interphase.foam_file import Dictionary, FoamFileError
+from interphase.box_mesh import BoxMesh
+from interphase.expanded_file import File, parameters_of
 from interphase.input_error import InputError
 from interphase.report_keys import KEYS
 
-SCENE, MESH = "system/reportDict", "system/blockMeshDict"
+SCENE = "system/reportDict"
 
 WINDOWS_ACROSS = 5
 # A window or a cell below this many diameters tells single spheres.
@@ -55,19 +53,6 @@ class Overlaps:
 
 
 @dataclass(frozen=True)
-class BoxMesh:
-    """A uniform mesh of boxes: corners [m] and numbers of cells along x, y, z."""
-
-    low: tuple
-    high: tuple
-    cells: tuple
-
-    @property
-    def cell_volume(self):
-        return math.prod((high - low) / n for low, high, n in zip(self.low, self.high, self.cells))
-
-
-@dataclass(frozen=True)
 class Voidage:
     """Histogram of `bins` bins from `lowest` to `highest`; `limits` divide the cells into shares."""
 
@@ -87,166 +72,12 @@ class Scene:
     voidage: Optional[Voidage]
 
 
-class _File:
-    """A dictionary with its macros expanded; complaints name the file."""
-
-    def __init__(self, path, parameters=None):
-        """`parameters`: the `_File` to look macros up in that this file does not define. No file at all is an empty one."""
-        self.path, self.parameters = path, parameters
-        if not os.path.isfile(path):
-            self.text, self.root = "", foam_file.parse("")
-            return
-        try:
-            with open(path, encoding="utf-8") as stream:
-                self.text = stream.read()
-            self.root = foam_file.parse(self.text)
-        except (OSError, UnicodeDecodeError) as error:
-            raise InputError(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
-        except FoamFileError as error:
-            raise InputError(f"{path}: {error}") from None
-
-    def complaint(self, name, message):
-        entry = self.entry(name)
-        known = entry is not None and not isinstance(entry, Dictionary)
-        line = f", line {foam_file.line_of(self.text, entry.start)}" if known else ""
-        return InputError(f"{self.path}{line}: {name} {message}")
-
-    def entry(self, name):
-        level = self.root
-        for part in name.split("/"):
-            found = level.all_named(part) if isinstance(level, Dictionary) else []
-            if not found:
-                return None
-            level = found[0]
-        return level
-
-    def words(self, name, depth=0):
-        """The words of the value at `name`, macros expanded; None where there is none."""
-        entry = self.entry(name)
-        if entry is None or isinstance(entry, Dictionary):
-            return None
-        found = []
-        for token in foam_file.tokens(entry.value):
-            if not token.text.startswith("$"):
-                found.append(token.text)
-                continue
-            macro = token.text.lstrip("$:.").strip("{}")
-            words = None
-            if depth < 10:
-                words = self.words(macro, depth + 1)
-                if words is None and self.parameters is not None:
-                    words = self.parameters.words(macro, depth + 1)
-            if words is None:
-                where = f" or {self.parameters.path}" if self.parameters is not None else ""
-                raise self.complaint(name, f"= {entry.value}: {token.text} is not in this file{where}")
-            found += words
-        return found
-
-    def number(self, name, default=None):
-        words = self.words(name)
-        if words is None:
-            if default is None:
-                raise InputError(f"{self.path}: no entry {name}: add one")
-            return default
-        try:
-            value = float(words[0]) if len(words) == 1 else math.nan
-        except ValueError:
-            value = math.nan
-        if not math.isfinite(value):
-            raise self.complaint(name, f"= {' '.join(words)}: one number is expected")
-        return value
-
-    def whole(self, name, default=None):
-        value = self.number(name, default)
-        if value != int(value) or value < 1:
-            raise self.complaint(name, f"= {value:g}: a whole number above 0 is expected")
-        return int(value)
-
-    def numbers(self, name, count=None, default=None):
-        """A list `(a b ...)` of numbers, `count` of them if given."""
-        words = self.words(name)
-        if words is None and default is not None:
-            return default
-        if words is None:
-            raise InputError(f"{self.path}: no entry {name}: add one")
-        try:
-            if words[:1] != ["("] or words[-1:] != [")"]:
-                raise ValueError
-            values = tuple(float(word) for word in words[1:-1])
-        except ValueError:
-            values = (math.nan,)
-        if not all(map(math.isfinite, values)) or (count is not None and len(values) != count):
-            many = f"{count} numbers" if count else "numbers"
-            raise self.complaint(name, f"= {' '.join(words)}: a list of {many} in parentheses is expected")
-        return values
-
-    def ascending(self, name, default):
-        values = self.numbers(name, default=default)
-        if any(later <= earlier for earlier, later in zip(values, values[1:])):
-            raise self.complaint(name, f"= {values}: values must ascend")
-        return values
-
-    def refuse_unknown(self):
-        for block, keys in KEYS.items():
-            level = self.entry(block) if block else self.root
-            for key in level.names() if isinstance(level, Dictionary) else ():
-                name = f"{block}/{key}" if block else key
-                if name == "FoamFile":
-                    continue
-                if key not in keys:
-                    raise self.complaint(name, f"is unknown: {foam_file.nearest(key, keys)}")
-                if name in KEYS and self.words(name) == ["none"]:
-                    continue
-                if isinstance(self.entry(name), Dictionary) != (name in KEYS):
-                    wanted = "a block { ... } or `none`" if name in KEYS else "a value, not a block"
-                    raise self.complaint(name, f"must be {wanted}")
-
-
-def _parameters(folder):
-    path = os.path.join(folder, PARAMETERS)
-    return _File(path) if os.path.isfile(path) else None
-
-
-def box_mesh(folder):
-    """The `BoxMesh` of system/blockMeshDict, or the reason why there is none."""
-    path = os.path.join(folder, MESH)
-    if not os.path.isfile(path):
-        return f"there is no {path}"
-    file = _File(path, _parameters(folder))
-    blocks = file.words("blocks") or []
-    opened = [at for at, word in enumerate(blocks) if word == "hex"]
-    if len(opened) != 1:
-        return f"{path} has {len(opened)} blocks"
-    try:
-        numbers = [float(w) for w in file.words("vertices") or [] if w not in ("(", ")")]
-        words = blocks[opened[0] + 1:]
-        first = words.index(")")
-        corners = [int(w) for w in words[1:first]]
-        cells = [int(w) for w in words[first + 2:first + 5]]
-        grading = words[first + 6:]
-        scale = file.number("scale", file.number("convertToMeters", 1.0))
-    except ValueError:
-        return f"{path}: vertices and block are more than plain numbers"
-    if len(corners) != 8 or len(cells) != 3 or min(cells) < 1 or len(numbers) % 3 or max(corners) >= len(numbers) // 3:
-        return f"{path}: no block of eight corners and three numbers of cells"
-    if grading[:1] not in (["simpleGrading"], ["edgeGrading"]) or any(w not in ("1", "(", ")") for w in grading[1:]):
-        return f"the block of {path} is graded"
-    points = [tuple(scale * v for v in numbers[3 * c:3 * c + 3]) for c in corners]
-    low, high = (tuple(f(p[axis] for p in points) for axis in range(3)) for f in (min, max))
-    # The first corners of a `hex` lie along its first, second and third direction from corner 0.
-    around = [(low[0], low[1]), (high[0], low[1]), (high[0], high[1]), (low[0], high[1])]
-    expected = [(x, y, z) for z in (low[2], high[2]) for x, y in around]
-    if points != expected or any(a >= b for a, b in zip(low, high)):
-        return f"the block of {path} is no upright box, its first corner the lowest in x, y and z"
-    return BoxMesh(low, high, tuple(cells))
-
-
 def opened(folder, scene_file=None):
     """The system/reportDict of the run in `folder`, or `scene_file`, its keys known to be right; without a file an empty one."""
     if scene_file and not os.path.isfile(scene_file):
         raise InputError(f"--scene {scene_file}: no such file")
-    file = _File(scene_file or os.path.join(folder, SCENE), _parameters(folder))
-    file.refuse_unknown()
+    file = File(scene_file or os.path.join(folder, SCENE), parameters_of(folder))
+    file.refuse_unknown(KEYS)
     return file
 
 

@@ -20,9 +20,7 @@ class Run:
         """`launched`: the `Launched` that makes it, where this program does."""
         self.path = os.path.abspath(os.fspath(path))
         self._launched = launched
-        if not os.path.isdir(self.path):
-            what = "is a file" if os.path.exists(self.path) else "no such folder"
-            raise InputError(f"{path}: {what}; give the folder of a run, such as runs/sscp1-CGPM-w8")
+        run_state.checked_folder(path)
         if not any(os.path.exists(self._file(name)) for name in (run_state.MARK, "results.h5", "particles.h5")):
             raise InputError(f"{path}: there is none of run.json, results.h5, particles.h5 in it: it is no run")
 
@@ -91,13 +89,11 @@ class Run:
 
     @property
     def statistics(self):
-        """{path: Stored} of the numbers that `tools/report` has put into results.h5, such as "profiles/means/pressure_drop": values,
-        unit, and what else it says of them. InputError where it has not been called for this run."""
-        stored = module("stored")
-        found = stored.below(self._file("results.h5"), ("profiles", "histograms"))
-        if not found:
-            raise InputError(f"{self.path}: results.h5 holds no statistics; `tools/report {self.path}` puts them there")
-        return found
+        """{path: Stored} of the numbers of `tools/report`, such as "profiles/means/pressure_drop": values, unit, and what else it says of
+        them. Those that it has put into results.h5; where it has not been called for this run, the same, which takes as long as a call
+        of it, and the file stays as it is. InputError where there is nothing to report."""
+        reporting = module("reporting")
+        return module("stored").below(self._file("results.h5"), reporting.report_file.GROUPS) or reporting.statistics_of(self.path)
 
     def wait(self):
         """Returns when the run is no longer running; errors as of Case.run."""

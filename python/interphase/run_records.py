@@ -63,6 +63,10 @@ class Records:
             raise InputError(f"{self._meta}: /meta attribute solid_step = {value!r}; a time in s above 0 is expected")
         return step
 
+    def snapshot_times(self):
+        """[n] of all snapshots, s; empty where none was recorded."""
+        return [frame.time for frame in self.frames()]
+
     def frames(self, only=None):
         """`Frame`s in the order of time; `only`: the data sets to load, all where None."""
         if self.particles is None:

@@ -29,6 +29,14 @@ def _started(pid):
     return None if fields[0] in "ZX" else int(fields[19])
 
 
+def checked_folder(path, wanted="a run's folder"):
+    """`path`; InputError where it is no folder. `wanted`: what to give, for the message."""
+    if not os.path.isdir(path):
+        what = "is a file" if os.path.exists(path) else "no such folder"
+        raise InputError(f"{path}: {what}; give {wanted}, such as runs/sscp1-CGPM-w8")
+    return path
+
+
 def record(folder):
     """What run.json in `folder` holds, {} where there is none; InputError where it cannot be read."""
     path = os.path.join(folder, MARK)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy
 
 from interphase import bed_statistics
-from interphase.report_scene import BoxMesh
+from interphase.box_mesh import BoxMesh
 
 QUANTILES = (0.05, 0.25, 0.5, 0.75, 0.95)
 SOLID_QUANTILES = (0.1, 0.5, 0.9)

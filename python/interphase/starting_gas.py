@@ -12,7 +12,7 @@ import tempfile
 
 import numpy
 
-from interphase import foam_field, foam_file, launch
+from interphase import foam_field, foam_file, launch, parts
 from interphase.case_folder import CONTROL, PARAMETERS, Dictionaries
 from interphase.input_error import InputError
 from interphase.starting_run import SAME_TIME
@@ -27,7 +27,7 @@ GIVES = {"fixedValue": "value", "prghPressure": "p", "totalPressure": "p0", "prg
 
 def put(start, folder, environment):
     """Write the gas of the `StartingRun` into 0/ of the case in `folder`; a phrase that says what was done."""
-    time, parts = _time_folder(start)
+    time, in_parts = _time_folder(start)
     if start.time == 0:
         return "the gas starts from the case's own 0/: the run's time is 0"
     if time is None:
@@ -41,7 +41,7 @@ def put(start, folder, environment):
         return f"the gas starts from the case's own 0/: {why}"
     with tempfile.TemporaryDirectory(prefix=".from-", dir=folder) as scratch:
         source = os.path.join(start.folder, time)
-        if parts:
+        if in_parts:
             source = _reconstructed(start.folder, time, scratch, folder, environment)
         names = [name for name in _fields(os.path.join(folder, START)) if foam_field.path_of(source, name)]
         if not same:
@@ -60,8 +60,7 @@ def put(start, folder, environment):
 
 def _times(folder):
     """{name: time [s]} of the time folders that hold U."""
-    names = [name for name in os.listdir(folder) if re.fullmatch(r"\d+\.?\d*(e[-+]?\d+)?", name)]
-    return {name: float(name) for name in names if foam_field.path_of(os.path.join(folder, name), "U")}
+    return {name: time for name, time in parts.times(folder).items() if foam_field.path_of(os.path.join(folder, name), "U")}
 
 
 def _parts(folder):
@@ -139,8 +138,8 @@ def _linked(folder, case, names):
 
 
 def _reconstructed(run, time, scratch, folder, environment):
-    parts = [name for name in os.listdir(run) if re.fullmatch(r"processors?\d+(_\d+-\d+)?", name)]
-    case = _linked(os.path.join(scratch, "parts"), run, ["constant", "system", "parameters", *parts])
+    pieces = [name for name in os.listdir(run) if re.fullmatch(r"processors?\d+(_\d+-\d+)?", name)]
+    case = _linked(os.path.join(scratch, "parts"), run, ["constant", "system", "parameters", *pieces])
     log = os.path.join(folder, "log.from.reconstructPar")
     launch.step(["reconstructPar", "-case", case, "-time", time], log, environment, case)
     return os.path.join(case, time)

@@ -4,7 +4,7 @@
 import os
 import re
 
-from interphase import foam_field, starting_gas, starting_particles, starting_run
+from interphase import foam_field, parts, starting_gas, starting_particles, starting_run
 from interphase.case_folder import CONTROL, COUPLING, Dictionaries
 from interphase.input_error import InputError
 from interphase.particle_script import particle_source
@@ -36,7 +36,7 @@ def _begins_late(case):
     if case.value(CONTROL, "startFrom", "latestTime") == "startTime":
         begins = case.value(CONTROL, "startTime", "0")
         return None if zero.fullmatch(begins) else f"startTime {begins} s of system/controlDict"
-    later = [name for name in os.listdir(case.folder) if re.fullmatch(r"\d+\.?\d*(e[-+]?\d+)?", name) and not zero.fullmatch(name)]
+    later = [name for name, time in parts.times(case.folder).items() if time > 0]
     return f"a time folder that it has, {', '.join(sorted(later, key=float)[:3])}" if later else None
 
 

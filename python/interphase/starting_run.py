@@ -8,6 +8,7 @@ from typing import Optional
 
 import numpy
 
+from interphase import run_state
 from interphase.input_error import InputError
 from interphase.particle_states import ParticleState
 from interphase.run_records import find_run
@@ -37,10 +38,7 @@ class StartingRun:
 def find(text):
     """The `StartingRun` that RUN[@time] names; without a time its last whole snapshot. InputError where there is none."""
     folder, asked = _split(text)
-    if not os.path.isdir(folder):
-        what = "is a file" if os.path.exists(folder) else "no such folder"
-        raise InputError(f"{folder}: {what}; give a run's folder, with @TIME or without, such as runs/sscp1-CGPM-w8@0.5")
-    folder = os.path.abspath(folder)
+    folder = os.path.abspath(run_state.checked_folder(folder, "a run's folder, with @TIME or without"))
     run = find_run(folder)
     if run is None or run.particles is None:
         raise InputError(f"{folder}: there is no particles.h5 in it: it is no run, or one that has not recorded its particles")

@@ -50,13 +50,18 @@ def attributes(path, group):
 
 def below(path, groups):
     """{path in the file: Stored} of all data sets below `groups` in the file at `path`; {} where there are none."""
-    found = {}
     if not os.path.isfile(path):
-        return found
+        return {}
     with open_h5(path) as file:
-        for group in groups:
-            if group in file:
-                file[group].visititems(
-                    lambda name, item, group=group: found.update({f"{group}/{name}": stored(item)}) if isinstance(item, h5py.Dataset) else None
-                )
+        return within(file, groups)
+
+
+def within(file, groups):
+    """The same of an open file."""
+    found = {}
+    for group in groups:
+        if group in file:
+            file[group].visititems(
+                lambda name, item, group=group: found.update({f"{group}/{name}": stored(item)}) if isinstance(item, h5py.Dataset) else None
+            )
     return found

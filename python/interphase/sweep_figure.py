@@ -9,7 +9,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the back end is chosen first)
 from matplotlib.transforms import offset_copy  # noqa: E402
 
-from interphase.report_figure import COLOURS, INK, MARKERS  # noqa: E402
+from interphase.report_figure import INK, grid, marker, style  # noqa: E402
 
 MISSING = "X: no run, open: runs missing"
 
@@ -55,19 +55,14 @@ def draw(path, result, title):
     panels = list(result.quantities.items())
     if not panels:
         return
-    plt.rcParams.update({"font.size": 8, "axes.edgecolor": INK, "axes.linewidth": 0.8, "axes.labelcolor": INK,
-                         "xtick.color": INK, "ytick.color": INK, "text.color": INK})
-    columns = min(len(panels), 3)
-    deep = math.ceil(len(panels) / columns)
     missing = any(row.runs < row.asked for row in result.rows)
     labels = [*lines, *([MISSING] if missing else [])]
-    across = max(columns, 1)
-    legend_lines = math.ceil(len(labels) / across)
-    above = 0.45 + 0.2 * legend_lines
-    high = 2.6 * deep + above
-    figure, all_axes = plt.subplots(deep, columns, figsize=(max(3.4 * columns, 4.2), high), squeeze=False)
+    across = min(len(panels), 3)
+    above = 0.45 + 0.2 * math.ceil(len(labels) / across)
+    figure, all_axes = grid(len(panels), 3.4, 2.6, above)
+    high = figure.get_figheight()
     categories = [text for text in dict.fromkeys(x for line in lines.values() for x, _ in line) if isinstance(text, str)]
-    for axes, (quantity, unit) in zip(all_axes.flat, panels):
+    for axes, (quantity, unit) in zip(all_axes, panels):
         for at, line in enumerate(lines.values()):
             _line(axes, at, len(lines), line, quantity, categories)
         axes.set_xlabel(name.rpartition(":")[2])
@@ -76,11 +71,7 @@ def draw(path, result, title):
         if categories:
             axes.set_xticks(range(len(categories)), categories)
             axes.set_xlim(-0.5, len(categories) - 0.5)
-        for side in ("top", "right"):
-            axes.spines[side].set_visible(False)
-    for axes in all_axes.flat[len(panels):]:
-        axes.set_visible(False)
-    handles = [plt.Line2D([], [], color=_colour(at), marker=_marker(at), markersize=4, linewidth=1.2) for at in range(len(lines))]
+    handles = [plt.Line2D([], [], **style(at), marker=marker(at), markersize=4) for at in range(len(lines))]
     handles += [plt.Line2D([], [], color=INK, marker="X", markersize=5, linestyle="none")] * missing
     figure.text(0.01, 1 - 0.06 / high, title, ha="left", va="top", fontsize=9)
     figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0, 1 - 0.25 / high), ncol=across, frameon=False, fontsize=8)
@@ -89,29 +80,21 @@ def draw(path, result, title):
     plt.close(figure)
 
 
-def _colour(at):
-    return COLOURS[at % len(COLOURS)]
-
-
-def _marker(at):
-    return MARKERS[at % len(MARKERS)]
-
-
 def _line(axes, at, count, line, quantity, categories):
     """Mean and standard error along one line, broken where there is no run."""
     def place(position):
         return categories.index(position) if categories else position
     aside = offset_copy(axes.transData, fig=axes.figure, x=3 * (at - (count - 1) / 2), units="points")  # bars do not hide each other
-    xs, ys = [], []
+    xs, ys, colour = [], [], style(at)["color"]
     for position, row in sorted(line, key=lambda each: place(each[0])):
         cell, x = row.cells.get(quantity), place(position)
         there = cell is not None and not math.isnan(cell.mean)
         xs.append(x)
         ys.append(cell.mean if there else math.nan)
         if not there:
-            axes.plot([x], [0.03 + 0.05 * at], "X", color=_colour(at), markersize=5, transform=axes.get_xaxis_transform(), clip_on=False)
+            axes.plot([x], [0.03 + 0.05 * at], "X", color=colour, markersize=5, transform=axes.get_xaxis_transform(), clip_on=False)
             continue
         error = None if math.isnan(cell.error) else cell.error
-        axes.errorbar([x], [cell.mean], yerr=error, color=_colour(at), marker=_marker(at), markersize=4, linestyle="none", capsize=2,
-                      transform=aside, elinewidth=0.9, markerfacecolor=_colour(at) if row.runs == row.asked else "white")  # fmt: skip
-    axes.plot(xs, ys, color=_colour(at), linewidth=0 if categories else 1.2, transform=aside)
+        axes.errorbar([x], [cell.mean], yerr=error, color=colour, marker=marker(at), markersize=4, linestyle="none", capsize=2,
+                      transform=aside, elinewidth=0.9, markerfacecolor=colour if row.runs == row.asked else "white")  # fmt: skip
+    axes.plot(xs, ys, color=colour, linewidth=0 if categories else 1.2, transform=aside)

@@ -13,7 +13,7 @@ from collections import deque
 from interphase import case_folder, ending, run_state
 from interphase.input_error import InputError
 from interphase.launch import StepFailed
-from interphase.run import Run
+from interphase.run import Run, no_such
 
 NOTES = "sweep.json"
 DONE, HOLE, NEW, GO_ON, RUNNING = "there", "failed", "to make", "to go on", "running"
@@ -55,7 +55,10 @@ class Sweep:
     `stand` is {name: one of there, failed, to make, to go on, running}. InputError where the folder holds what is in the way.
     """
 
-    def __init__(self, points, folder, notes, ranks=1, jobs=1, retry=False, say=print):
+    def __init__(self, points, folder, notes, ranks=1, jobs=1, retry=False, say=print, quantities=()):
+        """`quantities`: names of series that the runs must have."""
+        self._wanted = list(quantities or ())  # of which it is not known yet whether the runs have them
+        self._refused = None
         self.points, self.folder, self.notes, self.ranks, self.jobs, self.say = points, folder, notes, ranks, jobs, say
         self._running = {}  # name: (Run, fraction done at the start, when that was)
         self._pace = {}  # (method, weight): [wall time of whole runs, s]
@@ -91,7 +94,7 @@ class Sweep:
             self.notes.holes[point.key] = cause(folder)
             return HOLE
         # An error of the run itself would come again; a full disk or a kill would not.
-        return GO_ON if has_checkpoint(folder) and (state != run_state.FAILED or record["exit_code"] in (6, 137)) else NEW
+        return GO_ON if ending.has_checkpoint(folder) and (state != run_state.FAILED or record["exit_code"] in (6, 137)) else NEW
 
     def _ended(self, point, folder):
         end = case_folder.end_time(case_folder.Dictionaries(folder))
@@ -100,7 +103,7 @@ class Sweep:
         if end > point.until:
             raise InputError(f"{folder} has a run to t = {end:g} s, longer than the {point.until:g} s of this sweep: give --until {end:g}, "
                              "or another folder by --out DIR")  # fmt: skip
-        return GO_ON if has_checkpoint(folder) else NEW
+        return GO_ON if ending.has_checkpoint(folder) else NEW
 
     def count(self, *which):
         return sum(each in which for each in self.stand.values())
@@ -122,7 +125,13 @@ class Sweep:
         self._asked_to_stop += 1
 
     def go(self):
-        """Make what is missing. Returns whether all has been tried: not so after a signal that it is `listening` to."""
+        """Make what is missing. Returns whether all has been tried: not so after a signal that it is `listening` to. InputError where the runs
+        do not have the `quantities`, as soon as one shows it; those that go are ended."""
+        for point in self.points:
+            if self.stand[point.name] == DONE:
+                self._look_for_quantities(Run(self.path(point)))
+        if self._refused:
+            raise self._refused
         for point in self.points:
             if self.stand[point.name] == RUNNING:  # of an earlier call, which was killed
                 self._began(point, Run(self.path(point)))
@@ -134,13 +143,32 @@ class Sweep:
                 self._start(waiting.popleft())
             self._pass_on()
             for name, (run, *_) in list(self._running.items()):
+                self._look_for_quantities(run)
                 if run.state != run_state.RUNNING:
                     self._end(points[name], run)
             if self._running and time.monotonic() - line_at > SECONDS_BETWEEN_LINES:
                 line_at = time.monotonic()
                 self.say(self.progress())
             time.sleep(0.1)
+        if self._refused:
+            raise self._refused
         return not self._asked_to_stop
+
+    def _look_for_quantities(self, run):
+        """Whether the runs have what is wanted, once one has recorded anything."""
+        if not self._wanted:
+            return
+        try:
+            there = list(run.series)
+        except InputError:  # nothing yet, or just being written
+            return
+        missing = [name for name in self._wanted if there and name not in there]
+        if there:
+            self._wanted = []
+        if missing:
+            self._refused = no_such(f"--quantity {missing[0]}: /series of {run.path}", missing[0], there)
+            self.say(f"refused  {self._refused}")
+            self._ask_to_stop()
 
     def _pass_on(self):
         while self._stopped < self._asked_to_stop:
@@ -198,7 +226,7 @@ class Sweep:
         elif state == run_state.FAILED or not self._stopped:
             self._hole(point, cause(run.path) or told.getvalue().strip() or f"its run was {state} from elsewhere")
         else:
-            self.stand[point.name] = GO_ON if has_checkpoint(run.path) else NEW
+            self.stand[point.name] = GO_ON if ending.has_checkpoint(run.path) else NEW
             self.say(f"stopped  {point.name}" + ("" if self.stand[point.name] == GO_ON else "  before its first checkpoint: it will begin anew"))
 
     def _hole(self, point, why):
@@ -237,11 +265,6 @@ class Sweep:
 
 def pace_of(point):
     return point.case.method, point.case.weight
-
-
-def has_checkpoint(folder):
-    checkpoints = os.path.join(folder, "checkpoints")
-    return os.path.isdir(checkpoints) and any(not name.startswith(".") for name in os.listdir(checkpoints))
 
 
 def logs(folder):

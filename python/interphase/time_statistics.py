@@ -258,10 +258,3 @@ def difference(a, b):
     freedom = error**4 / sum(m.error**4 / m.freedom for m in (a, b) if m.error > 0)
     ratio = value / error
     return MeanDifference(value, error, ratio, float(2 * stats.t.sf(abs(ratio), freedom)), freedom)
-
-
-def seen_from(mean_difference, level):
-    """The smallest |b - a| that a test at significance `level` would have called a difference."""
-    if mean_difference.error == 0:
-        return 0.0
-    return float(stats.t.isf(level / 2, mean_difference.freedom)) * mean_difference.error

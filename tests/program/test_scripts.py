@@ -124,7 +124,6 @@ class Numbers(Scripts):
                            (lambda: self.ended.fields("U", time=7), "no fields of the gas at 7 s; there are those of 0, 0.02, 0.04 s"),
                            (lambda: self.ended.snapshots.at(7), "no snapshot at 7 s; the nearest is at 0.04 s"),
                            (lambda: self.ended.snapshots[0].read("charge"), "no dataset|has no 'charge'"),
-                           (lambda: self.ended.statistics, "holds no statistics; `tools/report "),
                            (lambda: self.ended.stop(), r"is not running here \(ended\)"),
                            (lambda: interphase.Run(self.root), "it is no run"),
                            (lambda: interphase.Run(os.path.join(self.root, "nowhere")), "no such folder")):  # fmt: skip

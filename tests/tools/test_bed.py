@@ -7,14 +7,16 @@ import math
 import os
 import shutil
 import subprocess
-import tempfile
 import unittest
 
 import numpy
 from scipy.spatial import cKDTree
 from scipy.stats import kstest, lognorm
 
-BED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools", "bed")
+from interphase.tree import TOOLS
+from scratch import InFolder
+
+BED = os.path.join(TOOLS, "bed")
 VESSEL = ["0", "0.2286", "0", "0.0762", "0", "1.2192"]  # SSCP-I
 
 
@@ -50,11 +52,10 @@ class Bed:
         return least
 
 
-class WithBed(unittest.TestCase):
+class WithBed(InFolder):
     def setUp(self):
-        self.folder = tempfile.mkdtemp()
-        self.addCleanup(shutil.rmtree, self.folder)
-        self.path = os.path.join(self.folder, "bed.data")
+        super().setUp()
+        self.path = os.path.join(self.root, "bed.data")
 
     def run_bed(self, *options, diameter="6.512e-3", box=None):
         command = [BED, "--diameter", diameter, "--density", "1131", "--box", *(box or VESSEL), "--out", self.path]
@@ -214,7 +215,7 @@ class MixedBed(WithBed):
 
     def test_weights_of_each_size(self):
         """Parcels of d W^(1/3); real numbers and mass are those of the table within a parcel."""
-        script = os.path.join(self.folder, "weights")
+        script = os.path.join(self.root, "weights")
         kind, diameter, centre = self.atoms("--sizes", "5e-4:0.9", "1e-3:0.1", "--count", 20000, "--weights", 27, 8, "--type-per-size",
                                             "--types", 3, "--script", script, "--packing", 0.4)  # fmt: skip
         self.assertEqual([int((kind == k).sum()) for k in (1, 2)], [667, 250])  # of 18,000 and 2,000
@@ -258,7 +259,7 @@ class MixedBed(WithBed):
 class ReadByLiggghts(WithBed):
     def read_by_liggghts(self):
         """Mass [kg] and height of its centre [m]."""
-        script = os.path.join(self.folder, "in")
+        script = os.path.join(self.root, "in")
         with open(script, "w", encoding="ascii") as file:
             file.write(
                 "units si\natom_style granular\natom_modify map array sort 0 0\nboundary f f f\nnewton off\n"
@@ -267,7 +268,7 @@ class ReadByLiggghts(WithBed):
                 'print "mass ${m} centre ${z}"\n'
             )
         run = subprocess.run(
-            ["liggghts", "-in", script, "-log", "none"], cwd=self.folder, capture_output=True, text=True, timeout=60
+            ["liggghts", "-in", script, "-log", "none"], cwd=self.root, capture_output=True, text=True, timeout=60
         )
         words = [line.split() for line in run.stdout.splitlines() if line.startswith("mass ")]
         self.assertTrue(words, run.stdout + run.stderr)

@@ -14,7 +14,6 @@ import math
 import os
 import shutil
 import subprocess
-import tempfile
 import unittest
 
 import h5py
@@ -23,9 +22,10 @@ import numpy
 from interphase import comparison, statistical_comparison
 from interphase.commands import compare as compare_tool
 from interphase.matching_times import merged
+from interphase.tree import TOOLS
 from made_up import correlated
+from scratch import InFolder, write_results, write_snapshots
 
-TOOLS = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..", "tools")
 SCRIPT = os.path.join(TOOLS, "compare")
 
 COLUMNS = "id type x y z vx vy vz fx fy fz omegax omegay omegaz radius"
@@ -56,14 +56,9 @@ def dump_text(step, table, columns=COLUMNS, bounds="pp ff ff", form="%.17g", edg
 STEPS = (0, 100, 200, 300)
 
 
-class Folder(unittest.TestCase):
-    def setUp(self):
-        self._folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self._folder.cleanup)
-        self.folder = self._folder.name
-
+class Folder(InFolder):
     def path(self, name):
-        return os.path.join(self.folder, name)
+        return os.path.join(self.root, name)
 
     def write(self, name, text):
         with open(self.path(name), "w") as file:
@@ -77,22 +72,12 @@ class Folder(unittest.TestCase):
     def run_folder(self, name, tables=None, solid_step=STEP, series=None):
         """A run of ours with the particles of a dump, its times as sums of steps, which carry round-off."""
         tables = {step: particles(step) for step in STEPS} if tables is None else tables
-        os.mkdir(self.path(name))
         if tables:
-            with h5py.File(os.path.join(self.path(name), "particles.h5"), "w") as file:
-                for i, (step, table) in enumerate(tables.items()):
-                    group = file.create_group(f"snapshots/{i:06d}")
-                    group.attrs["time"] = sum([STEP] * step)
-                    group["id"] = table[:, 0].astype(numpy.int32)
-                    for dataset, column in (("position", 2), ("velocity", 5), ("force", 8), ("angular_velocity", 11)):
-                        group[dataset] = table[:, column:column + 3]
-                    group["diameter"] = 2 * table[:, 14]
-        with h5py.File(os.path.join(self.path(name), "results.h5"), "w") as file:
-            meta = file.create_group("meta")
-            if solid_step is not None:
-                meta.attrs["solid_step"] = solid_step
-            for dataset, values in (series or {}).items():
-                file[f"series/{dataset}"] = values
+            columns = (("position", 2), ("velocity", 5), ("force", 8), ("angular_velocity", 11))
+            write_snapshots(self.path(name), [(sum([STEP] * step), {
+                "id": table[:, 0].astype(numpy.int32), "diameter": 2 * table[:, 14], **{each: table[:, at:at + 3] for each, at in columns},
+            }) for step, table in tables.items()])  # fmt: skip
+        write_results(self.path(name), series, **({} if solid_step is None else {"solid_step": solid_step}))
         return self.path(name)
 
     def compare(self, *given):

@@ -14,9 +14,9 @@ from hypothesis import given, strategies as st
 from interphase import foam_file, known_keys, parameters
 from interphase.case import as_written
 from interphase.input_error import InputError
+from interphase.tree import CASES
 import made_up  # noqa: F401  (how examples are drawn)
 
-REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 
 # Whole files are drawn: dictionaries in dictionaries of values, and anything that may stand between two words.
 GAPS = st.one_of(st.sampled_from(("", " ", "\n", "\t", "\r\n", " // from a;b (c) {d}\n", "/* one */", "/**/", " /* two;\n lines { ( \" */ ", "//\n")),
@@ -188,7 +188,7 @@ class Values(unittest.TestCase):
                 self.assertEqual(parameters.numbers(text), value)
 
     def test_those_of_all_cases(self):
-        for path in glob.glob(os.path.join(REPOSITORY, "cases", "*", "parameters")):
+        for path in glob.glob(os.path.join(CASES, "*", "parameters")):
             with self.subTest(path):
                 found = parameters.read(path)
                 self.assertGreater(parameters.numbers(found["particleDensity"]), 0)

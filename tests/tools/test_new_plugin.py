@@ -9,22 +9,17 @@ installation, built, its own test passed, its script run, its bed run by tools/r
 import os
 import shutil
 import subprocess
-import tempfile
 import unittest
 
-import h5py
+from interphase.run import Run
+from interphase.tree import REPOSITORY, TOOLS
+from scratch import InFolder
 
-SOURCE = os.environ.get("INTERPHASE_SOURCE") or os.path.realpath(os.path.join(os.path.dirname(__file__), "..", ".."))
-BUILD = os.environ.get("INTERPHASE_BUILD") or os.path.join(SOURCE, "build", "release")
-TOOL = os.path.join(SOURCE, "tools", "new-plugin")
+BUILD = os.environ.get("INTERPHASE_BUILD") or os.path.join(REPOSITORY, "build", "release")
+TOOL = os.path.join(TOOLS, "new-plugin")
 
 
-class Bench(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="interphase-")
-        self.addCleanup(folder.cleanup)
-        self.root = folder.name
-
+class Bench(InFolder):
     def run_program(self, *command, cwd=None, **changes):
         environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", **changes}
         return subprocess.run(
@@ -65,8 +60,8 @@ class Refusals(Bench):
         self.assertIn("bouncy is a file", self.refused("bouncy"))
 
     def test_a_folder_inside_the_tree(self):
-        folder = os.path.join(SOURCE, "plugins", "bouncy")
-        for given, cwd in ((folder, None), (".", os.path.join(SOURCE, "plugins"))):
+        folder = os.path.join(REPOSITORY, "plugins", "bouncy")
+        for given, cwd in ((folder, None), (".", os.path.join(REPOSITORY, "plugins"))):
             self.assertIn("is inside the tree of interphase", self.refused("bouncy", given, cwd=cwd))
         self.assertFalse(os.path.exists(folder))
 
@@ -89,13 +84,13 @@ class WholePath(Bench):
         self.succeed("ctest", "--test-dir", build, "--output-on-failure", "--no-tests=error")
 
         out = os.path.join(self.root, "out")
-        self.succeed(os.path.join(SOURCE, "tools", "run"), os.path.join(plugin, "case"), "--out", out, "--no-picture",
+        self.succeed(os.path.join(TOOLS, "run"), os.path.join(plugin, "case"), "--out", out, "--no-picture",
                      INTERPHASE_BIN=os.path.join(BUILD, "interphase"))  # fmt: skip
-        with h5py.File(os.path.join(out, "results.h5"), "r") as file:
-            self.assertIn("soft_ball/spheres", str(file["/meta"].attrs["plugins"]))
-            self.assertAlmostEqual(float(file["/meta"].attrs["simulated_time"]), 0.1, delta=1e-9)
-            self.assertEqual(file["/series/particles"][-1], file["/meta"].attrs["particles"], "no sphere was lost")
-            self.assertLess(abs(file["/ledger/momentum_residual"][-1]), 1e-12)
+        run = Run(out)
+        self.assertIn("soft_ball/spheres", run.meta["plugins"])
+        self.assertAlmostEqual(run.meta["simulated_time"], 0.1, delta=1e-9)
+        self.assertEqual(run.series["particles"].values[-1], run.meta["particles"], "no sphere was lost")
+        self.assertLess(abs(run.ledger["momentum_residual"].values).max(), 1e-12)
 
         example = os.path.join(plugin, "example")
         script = os.path.join(example, "in.liggghts")

@@ -8,12 +8,12 @@ import re
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 
 from interphase import commands, launch
+from interphase.tree import REPOSITORY
+from scratch import InFolder
 
-REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 PACKAGE = os.path.join(REPOSITORY, "python", "interphase")
 
 
@@ -34,16 +34,15 @@ def programs_in_python():
                     yield os.path.relpath(path, REPOSITORY), text.decode("utf-8")
 
 
-class Bench(unittest.TestCase):
+class Bench(InFolder):
     def setUp(self):
-        self.folder = tempfile.mkdtemp(prefix="interphase-package-")
-        self.addCleanup(shutil.rmtree, self.folder)
+        super().setUp()
         # No PYTHONPATH: what is called must find the package by itself.
         self.environment = {name: text for name, text in os.environ.items() if name != "PYTHONPATH"}
 
     def execute(self, *command, **changes):
         return subprocess.run(
-            command, cwd=self.folder, env={**self.environment, **changes}, stdin=subprocess.DEVNULL, capture_output=True, text=True,
+            command, cwd=self.root, env={**self.environment, **changes}, stdin=subprocess.DEVNULL, capture_output=True, text=True,
             timeout=120,
         )
 
@@ -67,15 +66,15 @@ class OneWay(Bench):
 
     def test_files_of_the_folder_where_one_stands_are_left_alone(self):
         for name in ("statistics.py", "numpy.py", "interphase.py"):
-            with open(os.path.join(self.folder, name), "w", encoding="utf-8") as stream:
+            with open(os.path.join(self.root, name), "w", encoding="utf-8") as stream:
                 stream.write("raise SystemExit('taken from the current folder')\n")
         done = self.execute(os.path.join(REPOSITORY, "tools", "compare"), "nothing", "nowhere")
         self.assertIn("nothing", done.stderr)
         self.assertNotIn("taken from", done.stderr)
 
     def test_by_a_link_of_another_name(self):
-        os.symlink(os.path.join(REPOSITORY, "tools", "bed"), os.path.join(self.folder, "make-bed"))
-        done = self.execute(os.path.join(self.folder, "make-bed"), "--help")
+        os.symlink(os.path.join(REPOSITORY, "tools", "bed"), os.path.join(self.root, "make-bed"))
+        done = self.execute(os.path.join(self.root, "make-bed"), "--help")
         self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_a_command_that_there_is_not(self):
@@ -89,7 +88,7 @@ class MissingModules(Bench):
 
     def setUp(self):
         super().setUp()
-        self.python = os.path.join(self.folder, "bare")
+        self.python = os.path.join(self.root, "bare")
         with open(self.python, "w", encoding="utf-8") as stream:
             stream.write('#!/bin/sh\nexec /usr/bin/python3 -S "$@"\n')
         os.chmod(self.python, 0o755)
@@ -98,26 +97,29 @@ class MissingModules(Bench):
         return self.execute(os.path.join(REPOSITORY, "tools", name), *words, INTERPHASE_PYTHON=self.python)
 
     def test_are_named_with_how_to_get_them(self):
-        for name, module in (("compare", "numpy"), ("report", "h5py"), ("picture", "h5py")):
+        """All of them at once, whichever a command meets first."""
+        wanted = (r"/usr/bin/python3\S* has no modules numpy, scipy, h5py, matplotlib\. On Debian: apt-get install python3-numpy python3-scipy "
+                  "python3-h5py python3-matplotlib ")  # fmt: skip
+        for name in ("compare", "report", "picture", "validate", "envelope"):
             with self.subTest(name):
                 done = self.tool(name, "a")
                 self.assertEqual(done.returncode, 2, done.stderr)
-                self.assertRegex(done.stderr, rf"^{name}: /usr/bin/python3\S* has no module {module}\. On Debian: apt-get install python3-{module}")
+                self.assertRegex(done.stderr, rf"^{name}: {wanted}")
                 self.assertNotIn("Traceback", done.stderr)
 
     def test_of_a_script_and_of_prepare(self):
         """A program that tools/run starts is helped with the same words."""
-        script = os.path.join(self.folder, "look.py")
+        script = os.path.join(self.root, "look.py")
         with open(script, "w", encoding="utf-8") as stream:
             stream.write("import interphase, os\nos.mkdir('run')\nopen('run/results.h5', 'w')\ninterphase.Run('run').series\n")
         done = self.execute(self.python, script, PYTHONPATH=os.path.join(REPOSITORY, "python"))
-        self.assertRegex(done.stderr, r"ModuleNotFoundError: \S+ has no module h5py\. On Debian: apt-get install python3-h5py")
-        program = os.path.join(self.folder, "prepare")
+        self.assertRegex(done.stderr, r"ModuleNotFoundError: \S+ has no modules numpy, .*On Debian: apt-get install python3-numpy ")
+        program = os.path.join(self.root, "prepare")
         with open(program, "w", encoding="utf-8") as stream:
             stream.write("#!/usr/bin/python3 -S\nimport numpy.linalg\n")
         os.chmod(program, 0o755)
         with self.assertRaisesRegex(launch.StepFailed, "prepare failed(.*\n)*On Debian: apt-get install python3-numpy"):
-            launch.step([program], os.path.join(self.folder, "log.prepare"), dict(os.environ), self.folder)
+            launch.step([program], os.path.join(self.root, "log.prepare"), dict(os.environ), self.root)
 
     def test_are_not_wanted_to_start_a_run(self):
         """tools/run installs them; a bed of one size needs none."""
@@ -132,7 +134,7 @@ class Installed(Bench):
     """By pip, from a copy: setuptools writes beside what it builds."""
 
     def test_a_script_elsewhere_finds_the_package(self):
-        source, target = os.path.join(self.folder, "python"), os.path.join(self.folder, "site")
+        source, target = os.path.join(self.root, "python"), os.path.join(self.root, "site")
         shutil.copytree(os.path.join(REPOSITORY, "python"), source, ignore=shutil.ignore_patterns("build", "*.egg-info", "__pycache__"))
         installed = self.execute("/usr/bin/python3", "-m", "pip", "install", "--quiet", "--no-index", "--no-build-isolation", "--no-deps",
                                  "--target", target, source)  # fmt: skip

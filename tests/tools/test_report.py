@@ -15,22 +15,23 @@ import re
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 
 import h5py
 import numpy
 from scipy.signal import lfilter
 
+import interphase
 from interphase import bed_statistics, report_scene, report_table, run_report, time_statistics as statistics
+from interphase.box_mesh import BoxMesh, box_mesh
 from interphase.commands import report as report_tool
 from interphase.report_keys import KEYS
-from interphase.report_scene import BoxMesh, Windows
+from interphase.report_scene import Windows
 from interphase.report_vessel import Vessel
 from interphase.start_up import FEWEST, start_up_of, truncation
+from interphase.tree import CASES, TOOLS
+from scratch import InFolder, write, write_results, write_snapshots
 
-SOURCE = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..")
-TOOLS = os.path.join(SOURCE, "tools")
 SCRIPT = os.path.join(TOOLS, "report")
 
 # A vessel of 0.2 x 0.1 x 0.4 m; windows are 0.1 m wide, z from 0.1 to 0.2 m, the slice 0.01 m deep.
@@ -291,19 +292,11 @@ class Table(unittest.TestCase):
         self.assertAlmostEqual(found[1].ratio, 4 / 0.5)
 
 
-class Folder(unittest.TestCase):
+class Folder(InFolder):
     """Runs' folders as tools/run and the program leave them."""
 
-    def setUp(self):
-        self._folder = tempfile.TemporaryDirectory(prefix="interphase-report-")
-        self.addCleanup(self._folder.cleanup)
-        self.folder = self._folder.name
-
     def write(self, run, name, text):
-        path = os.path.join(self.folder, run, name)
-        os.makedirs(os.path.dirname(path), exist_ok=True)
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(text)
+        write(os.path.join(self.root, run, name), text)
 
     def case(self, run, scene=REPORT_DICT, mesh=MESH_DICT):
         self.write(run, "parameters", PARAMETERS)
@@ -311,37 +304,25 @@ class Folder(unittest.TestCase):
             self.write(run, "system/reportDict", scene)
         if mesh:
             self.write(run, "system/blockMeshDict", mesh)
-        return os.path.join(self.folder, run)
+        return os.path.join(self.root, run)
 
     def run_of(self, name, snapshots=60, seed=1, ended=True, weight=1.0, results=True, shift=0.0, case=True):
         """300 spheres at 20 Hz: vertical velocity 0.5 + `shift` on average, shared deviations of 0.2, an overlap of 1e-3."""
-        folder = self.case(name) if case else os.path.join(self.folder, name)
-        os.makedirs(folder, exist_ok=True)
+        folder = self.case(name) if case else os.path.join(self.root, name)
         random = numpy.random.default_rng(seed)
         together = 0.2 * correlated(snapshots, 0.5, seed)
-        with h5py.File(os.path.join(folder, "particles.h5"), "w") as file:
-            file.create_group("snapshots")
-            for n in range(snapshots):
-                group = file.create_group(f"snapshots/{n:06d}")
-                group.attrs["time"] = 0.05 * n
-                position = scattered(300, seed=1000 * seed + n) * 0.9 + 0.005
-                position[:2] = [[0.1, 0.05, 0.39], [0.1, 0.05 + 0.001 * (1 - 1e-3), 0.39]]
-                group["id"] = numpy.arange(1, 301)
-                group["position"] = position
-                group["velocity"] = numpy.column_stack(
-                    [random.normal(0, 0.3, 300), random.normal(0, 1, 300), 0.5 + shift + together[n]
-                     + random.normal(0, 0.6, 300)]
-                )
-                group["diameter"] = numpy.full(300, 0.001)
+
+        def spheres(n):
+            position = scattered(300, seed=1000 * seed + n) * 0.9 + 0.005
+            position[:2] = [[0.1, 0.05, 0.39], [0.1, 0.05 + 0.001 * (1 - 1e-3), 0.39]]
+            velocity = [random.normal(0, 0.3, 300), random.normal(0, 1, 300), 0.5 + shift + together[n] + random.normal(0, 0.6, 300)]
+            return {"id": numpy.arange(1, 301), "position": position, "velocity": numpy.column_stack(velocity), "diameter": numpy.full(300, 0.001)}
+
+        write_snapshots(folder, [(0.05 * n, spheres(n)) for n in range(snapshots)])
         if results:
-            with h5py.File(os.path.join(folder, "results.h5"), "w") as file:
-                file["series/time"] = 0.05 * numpy.arange(1, snapshots)
-                file["series/pressure_drop"] = 900 + 100 * correlated(snapshots - 1, 0.5, seed + 1)
-                file["series/bed_height"] = numpy.full(snapshots - 1, 0.3)
-                file["series/kinetic_energy"] = 0.1 + 0.01 * correlated(snapshots - 1, 0.5, seed + 2)
-                file.create_group("meta").attrs["weight"] = weight
-                if ended:
-                    file["meta"].attrs["wall_time"] = 12.0
+            series = {"time": 0.05 * numpy.arange(1, snapshots), "pressure_drop": 900 + 100 * correlated(snapshots - 1, 0.5, seed + 1),
+                      "bed_height": numpy.full(snapshots - 1, 0.3), "kinetic_energy": 0.1 + 0.01 * correlated(snapshots - 1, 0.5, seed + 2)}  # fmt: skip
+            write_results(folder, series, weight=weight, **({"wall_time": 12.0} if ended else {}))
         return folder
 
     def report(self, *given, code=0):
@@ -426,7 +407,7 @@ class WholeReport(Folder):
         self.assertRegex(self.report(long, short, "--no-write", "--from", 0, "--every", 5), r"snapshots +10 +10\b")
 
     def test_the_figure_goes_where_it_is_asked_for(self):
-        path = os.path.join(self.folder, "figure.png")
+        path = os.path.join(self.root, "figure.png")
         self.report(self.run_of("one", 30), "--no-write", "--out", path)
         with open(path, "rb") as file:
             self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n")
@@ -448,8 +429,8 @@ class WholeReport(Folder):
             self.assertEqual(list(file["histograms"]), ["overlap"])
 
     def test_the_reference_bed_is_described_as_the_experiment_was(self):
-        case = os.path.join(SOURCE, "cases/sscp1")
-        file, mesh = report_scene.opened(case), report_scene.box_mesh(case)
+        case = os.path.join(CASES, "sscp1")
+        file, mesh = report_scene.opened(case), box_mesh(case)
         scene, notes = report_scene.scene_of(file, Vessel(mesh.low, mesh.high, "the mesh", 0.003, 0.003, 0.003, 0.1), mesh)
         self.assertEqual(notes, [])
         edges = bed_statistics.window_edges(scene.windows)
@@ -555,7 +536,7 @@ class WithoutConfiguration(Folder):
         """cases/sscp1 says `from 10`; its first second is reported all the same, nothing of it is trusted, and all is told."""
         run = self.run_of("one", 21)
         for name in ("parameters", "system/reportDict", "system/blockMeshDict"):
-            shutil.copy(os.path.join(SOURCE, "cases/sscp1", name), os.path.join(run, name))
+            shutil.copy(os.path.join(CASES, "sscp1", name), os.path.join(run, name))
         text = self.report(run)
         self.assertIn("from 0.5 to 1 s (the latter half, as start-up is not known to be over)", text)
         self.assertRegex(text, r"note: `from` = 10 s of system/reportDict is after what there is in all runs, which ends at 1 s")
@@ -604,6 +585,29 @@ class WithoutConfiguration(Folder):
         self.assertRegex(text, r"note: long: start-up not known to be over: it ends at [0-9.]+ s, what all runs have at 2.95 s")
         self.assertRegex(text, r"B against A: 0 agree, 0 differ, \d+ not judged")
 
+    def test_what_one_run_has_in_its_reportDict_holds_for_all(self):
+        self.bare("a", 60), self.run_of("b", 60), self.bare("c", 60)
+        a, b, c = (os.path.join(self.root, name) for name in "abc")
+        text = self.report(a, b, c, "--no-write", "--from", 1)
+        self.assertIn("note: a and c without system/reportDict: measured as that of b says", text)
+        alone = self.report(b, "--no-write", "--from", 1)
+        self.assertEqual(text.split("; ")[1].splitlines()[0], alone.split("; ")[1].splitlines()[0])  # the same windows
+
+    def test_a_script_gets_the_same_numbers_without_a_report(self):
+        run = self.bare("one", 60)
+        with open(os.path.join(run, "results.h5"), "rb") as file:
+            before = file.read()
+        computed = interphase.Run(run).statistics
+        with open(os.path.join(run, "results.h5"), "rb") as file:
+            self.assertEqual(file.read(), before)
+        self.report(run)
+        stored = interphase.Run(run).statistics
+        self.assertEqual(list(computed), list(stored))
+        self.assertIn("profiles/means/pressure_drop", stored)
+        for name, each in stored.items():
+            numpy.testing.assert_array_equal(computed[name].values, each.values, name)
+            self.assertEqual((computed[name].unit, list(computed[name].attributes)), (each.unit, list(each.attributes)))
+
     def test_vessels_that_differ(self):
         a, b = self.bare("a", 60, domain=[[0, 0, 0], [0.2, 0.1, 0.4]]), self.bare("b", 60, domain=[[0, 0, 0], [0.3, 0.1, 0.4]])
         text = self.report(a, b, "--no-write", "--from", 1)
@@ -633,9 +637,9 @@ class Refused(Folder):
         return message
 
     def test_no_such_run(self):
-        self.refused(os.path.join(self.folder, "none"), says="no such folder")
-        os.makedirs(os.path.join(self.folder, "empty"))
-        self.refused(os.path.join(self.folder, "empty"), says="neither particles.h5 nor results.h5")
+        self.refused(os.path.join(self.root, "none"), says="no such folder")
+        os.makedirs(os.path.join(self.root, "empty"))
+        self.refused(os.path.join(self.root, "empty"), says="neither particles.h5 nor results.h5")
 
     def test_no_results(self):
         run = self.run_of("one", 30, results=False)
@@ -665,7 +669,7 @@ class Refused(Folder):
         self.refused(run, "--from", 2, "--until", 1, says="is after --until")
 
     def test_no_such_scene_file(self):
-        self.refused(self.run_of("one", 30), "--scene", os.path.join(self.folder, "scene"), says="no such file")
+        self.refused(self.run_of("one", 30), "--scene", os.path.join(self.root, "scene"), says="no such file")
 
     def test_runs_that_measure_different_things(self):
         a, b = self.run_of("a", 30), self.run_of("b", 30)
@@ -697,7 +701,7 @@ class Refused(Folder):
     def test_bad_options(self):
         run = self.run_of("one", 30)
         self.refused(run, "--every", 0, says="above 0")
-        self.refused(run, "--from", "now", says="not a number")
+        self.refused(run, "--from", "now", says="'now' is not a time in s")
         self.refused(run, "--out", "picture.gif", says=r"\.png")
         self.refused(run, "--confidence", 95, says="between 0 and 1")
         self.refused(says="Usage")

@@ -11,17 +11,16 @@ import re
 import shlex
 import shutil
 import signal
-import stat
 import subprocess
-import tempfile
 import time
 import unittest
 
 from interphase import case_folder, ending, foam_file, launch
 from interphase.commands import run
 from interphase.input_error import InputError
+from interphase.tree import REPOSITORY
+from scratch import InFolder, read, write
 
-REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 
 PARAMETERS = """// The scene's numbers
 method    CGPM;   // DEM | CGPM
@@ -48,25 +47,11 @@ functions { probe { type probes; fields (p U); } }
 """
 
 
-def write(path, text, executable=False):
-    os.makedirs(os.path.dirname(path), exist_ok=True)
-    with open(path, "w", encoding="utf-8") as stream:
-        stream.write(text)
-    if executable:
-        os.chmod(path, os.stat(path).st_mode | stat.S_IXUSR)
-
-
-def read(*parts):
-    with open(os.path.join(*parts), encoding="utf-8") as stream:
-        return stream.read()
-
-
-class Bench(unittest.TestCase):
+class Bench(InFolder):
     """A folder with a case, fake programs on PATH, and a way to call tools/run there."""
 
     def setUp(self):
-        self.root = tempfile.mkdtemp(prefix="interphase-run-")
-        self.addCleanup(shutil.rmtree, self.root)
+        super().setUp()
         self.case = os.path.join(self.root, "bed")
         self.out = os.path.join(self.root, "out")
         write(os.path.join(self.case, "parameters"), PARAMETERS)

@@ -4,7 +4,6 @@
 spheres, where a script takes its particles from. tests/program/test_from.py runs the program."""
 
 import os
-import tempfile
 import unittest
 
 import h5py
@@ -14,17 +13,10 @@ from interphase import foam_field, particle_file, starting_particles, starting_p
 from interphase.case_folder import Dictionaries
 from interphase.input_error import InputError
 from interphase.particle_script import particle_source
-
-SOURCE = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..")
+from scratch import InFolder, write, write_results, write_snapshots
 
 COUPLING = 'method DEM;\nweight 1;\nparticles { script "dem/in.liggghts"; variables { method DEM; bed start; } }\n'
 SCRIPT = "boundary f p f\nread_data dem/bed.data  # the bed\n"
-
-
-def write(path, text):
-    os.makedirs(os.path.dirname(path), exist_ok=True)
-    with open(path, "w", encoding="utf-8") as stream:
-        stream.write(text)
 
 
 def spheres(kinds, diameters, densities, ids=None):
@@ -34,12 +26,7 @@ def spheres(kinds, diameters, densities, ids=None):
         2, numpy.zeros(3), numpy.ones(3), ids, numpy.array(kinds), numpy.array(diameters, dtype=float), numpy.array(densities, dtype=float))
 
 
-class Folder(unittest.TestCase):
-    def setUp(self):
-        scratch = tempfile.TemporaryDirectory(prefix="interphase-")
-        self.addCleanup(scratch.cleanup)
-        self.root = scratch.name
-
+class Folder(InFolder):
     def case(self, name, held, script=SCRIPT, places=None):
         """A case whose file holds the spheres `held`, none where None."""
         folder = os.path.join(self.root, name)
@@ -53,22 +40,12 @@ class Folder(unittest.TestCase):
     @staticmethod
     def record(folder, diameters, times=(0.0, 0.1), ids=None, weight=1.0, **more):
         """Snapshots of spheres in a row, moving by their time."""
-        os.makedirs(folder, exist_ok=True)
         count = len(diameters)
-        with h5py.File(os.path.join(folder, "results.h5"), "w") as file:
-            file.create_group("meta").attrs["weight"] = weight
-            file["meta"].attrs["method"] = "DEM"
-        with h5py.File(os.path.join(folder, "particles.h5"), "w") as file:
-            for number, time in enumerate(times):
-                group = file.create_group(f"snapshots/{number:06d}")
-                group.attrs["time"] = time
-                group["id"] = numpy.arange(1, count + 1) if ids is None else numpy.array(ids)
-                group["position"] = numpy.full((count, 3), 0.5) + 0.1 * time
-                group["velocity"] = numpy.full((count, 3), time)
-                group["angular_velocity"] = numpy.zeros((count, 3))
-                group["diameter"] = numpy.array(diameters, dtype=float)
-                for key, values in more.items():
-                    group[key] = numpy.array(values)
+        write_results(folder, weight=weight, method="DEM")
+        write_snapshots(folder, [(time, {
+            "id": numpy.arange(1, count + 1) if ids is None else numpy.array(ids), "position": numpy.full((count, 3), 0.5) + 0.1 * time,
+            "velocity": numpy.full((count, 3), time), "angular_velocity": numpy.zeros((count, 3)),
+            "diameter": numpy.array(diameters, dtype=float), **more}) for time in times])  # fmt: skip
 
     def put(self, run, case):
         """The spheres that the case then holds."""

@@ -12,17 +12,16 @@ import math
 import os
 import shutil
 import signal
-import stat
 import subprocess
-import tempfile
 import time
 import unittest
 
 from interphase import sweep_figure, sweep_plan, sweep_runs, sweep_table
 from interphase.input_error import InputError
 from interphase.series import Average
+from interphase.tree import TOOLS
+from scratch import InFolder, write
 
-REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 
 PARAMETERS = """method CGPM;
 weight 8;
@@ -70,18 +69,9 @@ with h5py.File("results.h5", "w") as file:
 """
 
 
-def write(path, text, executable=False):
-    os.makedirs(os.path.dirname(path), exist_ok=True)
-    with open(path, "w", encoding="utf-8") as stream:
-        stream.write(text)
-    if executable:
-        os.chmod(path, os.stat(path).st_mode | stat.S_IXUSR)
-
-
-class Bench(unittest.TestCase):
+class Bench(InFolder):
     def setUp(self):
-        self.root = tempfile.mkdtemp(prefix="interphase-sweep-")
-        self.addCleanup(shutil.rmtree, self.root)
+        super().setUp()
         self.case, self.out = os.path.join(self.root, "bed"), os.path.join(self.root, "out")
         write(os.path.join(self.case, "parameters"), PARAMETERS)
         write(os.path.join(self.case, "system/couplingDict"), COUPLING)
@@ -91,7 +81,7 @@ class Bench(unittest.TestCase):
         write(self.binary, STAND_IN, executable=True)
 
     def command(self, *given):
-        return [os.path.join(REPOSITORY, "tools/sweep"), "bed", *given, "--out", self.out]
+        return [os.path.join(TOOLS, "sweep"), "bed", *given, "--out", self.out]
 
     def environment(self):
         return {**os.environ, "INTERPHASE_BIN": self.binary, "COLUMNS": "200"}
@@ -124,7 +114,7 @@ class Refused(Bench):
             (("--set", "velocty=1,2"), "did you mean 'velocity'"), (("--set", "velocity=1,,2"), "with commas between them"),
             (("--set", "velocity=1,1"), "1 is there twice"), (("--method", "CGPM,CGHX"), "method 'CGHX' is unknown"),
             (("--method", "DEM", "--weight", "8"), "does not go with method DEM"), (("--set", "seed=1,2", "--seeds", "2"), "--seeds and --set seed"),
-            (("--seeds", "0"), "--seeds 0"), (("--after", "1"), "the runs end at 1 s"), (("--set", "method=DEM,CGPM"), "give --method DEM,CGPM"),
+            (("--seeds", "0"), "--seeds: '0' is not a whole number above 0"), (("--after", "-1"), "is not a time in s, 0 or above"), (("--after", "1"), "the runs end at 1 s"), (("--set", "method=DEM,CGPM"), "give --method DEM,CGPM"),
             (("--jobs", "1000"), "--jobs 1000 of 1 ranks"), (("--until", "2", "--set", "endTime=1,2"), "--until and an end time by --set"),
             (("--set", "mapping/widht=1"), "did you mean 'mapping/width'"), (("--method", "DEM,TDHS"), "plug-in"),
         ):  # fmt: skip
@@ -251,6 +241,16 @@ class Stopped(Bench):
                 self.assertIn("1 to go on, 1 to make", said)
                 self.assertEqual(list(self.runs().values()), [["start", "resume"], ["start"]])
                 write(self.binary, STAND_IN, executable=True)
+
+    def test_by_a_quantity_that_the_runs_do_not_record(self):
+        """Seen by the first one: the others are not made."""
+        given = ("--set", "velocity=1,2,3", "--jobs", "1")
+        said = self.sweep(*given, "--quantity", "presure_drop", code=2)
+        self.assertRegex(said, "tools/sweep: error: --quantity presure_drop: .* has no 'presure_drop': did you mean 'pressure_drop'")
+        self.assertEqual(list(self.runs().values()), [["start"]])
+        self.assertIn("has no 'x'", self.sweep(*given, "--quantity", "x", code=2))  # of a run that is there: none is begun
+        self.assertEqual(list(self.runs().values()), [["start"]])
+        self.assertIn("1 there, 2 to make", self.sweep(*given, "--quantity", "pressure_drop"))
 
     def test_two_sweeps_of_one_folder_are_refused_and_a_killed_one_is_taken_up(self):
         given = ("--set", "velocity=1", "--set", "deed=wait", "--jobs", "1")

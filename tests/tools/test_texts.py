@@ -6,7 +6,6 @@ lists of the command line come apart where they were put together."""
 import os
 import shutil
 import subprocess
-import tempfile
 import unittest
 
 import numpy
@@ -14,6 +13,7 @@ from hypothesis import given, strategies as st
 
 from interphase import data_file, particle_file, sweep_plan, tables
 import made_up  # noqa: F401  (how examples are drawn)
+from scratch import InFolder
 
 READ = """units si
 atom_style granular
@@ -38,12 +38,10 @@ POSITIVE = FINITE.map(abs).filter(bool)
 CELLS = st.text(st.characters(min_codepoint=33, max_codepoint=0x24F, blacklist_characters="|", blacklist_categories=("Zs", "Cc", "Mn", "Cf")), max_size=8)
 
 
-class DataFiles(unittest.TestCase):
+class DataFiles(InFolder):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="interphase-texts-")
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
-        self.path = os.path.join(self.folder, "spheres.data")
+        super().setUp()
+        self.path = os.path.join(self.root, "spheres.data")
         random = numpy.random.default_rng(3)
         self.position, self.velocity, self.spin = random.uniform(0.1, 0.9, (50, 3)), random.normal(size=(50, 3)), random.normal(size=(50, 3))
         self.diameter, self.density = random.uniform(1e-3, 2e-3, 50), random.uniform(1000, 2000, 50)
@@ -65,11 +63,11 @@ class DataFiles(unittest.TestCase):
 
     @unittest.skipUnless(shutil.which("liggghts"), "needs the liggghts binary")
     def test_liggghts_reads_the_same_doubles(self):
-        with open(os.path.join(self.folder, "in.read"), "w", encoding="ascii") as stream:
+        with open(os.path.join(self.root, "in.read"), "w", encoding="ascii") as stream:
             stream.write(READ)
-        done = subprocess.run(["liggghts", "-in", "in.read"], cwd=self.folder, capture_output=True, text=True, timeout=120)
+        done = subprocess.run(["liggghts", "-in", "in.read"], cwd=self.root, capture_output=True, text=True, timeout=120)
         self.assertEqual(done.returncode, 0, done.stdout[-2000:] + done.stderr)
-        rows = numpy.loadtxt(os.path.join(self.folder, "spheres.dump"), skiprows=9)
+        rows = numpy.loadtxt(os.path.join(self.root, "spheres.dump"), skiprows=9)
         rows = rows[numpy.argsort(rows[:, 0])]
         numpy.testing.assert_array_equal(rows[:, 1], self.kind)
         numpy.testing.assert_array_equal(rows[:, 2:11], numpy.hstack([self.position, self.velocity, self.spin]))

@@ -24,19 +24,18 @@ Examples:
 """
 
 import argparse
+import contextlib
+import io
 import math
 import os
 import re
-import shutil
 import statistics
-import subprocess
 import sys
 import tempfile
 
-from interphase import launch, parameters, tables
-from interphase.run import Run
-from interphase.tree import CASES, REPOSITORY, TOOLS
-
+from interphase import Case, InputError, Run, StepFailed, launch, parameters, tables
+from interphase.commands import bed
+from interphase.tree import CASES
 
 CASE = os.path.join(CASES, "sscp1")
 
@@ -46,34 +45,25 @@ def parameter(name):
     return float(parameters.read(os.path.join(CASE, parameters.PARAMETERS))[name])
 
 
-def coupled_run(folder, method, until, settings, case=CASE):
-    arguments = [os.path.join(TOOLS, "run"), case, "--method", method, "--until", str(until), "--out", folder,
-                 "--no-picture", "--overwrite"]
-    for setting in settings:
-        arguments += ["--set", setting]
-    done = subprocess.run(arguments, capture_output=True, text=True)
-    if done.returncode != 0:
-        sys.exit(f"bench: {' '.join(arguments)} failed:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
-    done = Run(folder)
-    return done.timing, done.meta
+def ran(folder, until, start=None, **entries):
+    """(timing, meta) of a run of sscp1 with its `entries`, those of files as {"FILE:ENTRY": value}."""
+    run = Case(CASE).set(entries).run(folder, until=until, start=start, overwrite=True)
+    if not run.ok:
+        sys.exit(f"bench: the run in {folder} {run.state}")
+    return run.timing, run.meta
 
 
 def native_loop_seconds(folder, meta):
     """Time of the step loop of the packaged liggghts on the case that `folder` holds."""
-    variables = []
-    for name, value in parameters.read(os.path.join(folder, parameters.PARAMETERS)).items():
-        variables += ["-var", name, value]
-    steps = round(float(meta["simulated_time"]) / float(meta["solid_step"]))
-    script = os.path.join(folder, "dem", "in.native")
-    with open(script, "w") as stream:
-        stream.write(f"include dem/in.liggghts\ntimestep {float(meta['solid_step'])!r}\nrun {steps}\n")
-    environment = {**os.environ, **launch.additions(os.environ)}
-    log = os.path.join(folder, "dem", "log.native")
-    subprocess.run(["liggghts", "-in", "dem/in.native", "-log", "dem/log.native", "-screen", "/dev/null", *variables],
-                   cwd=folder, env=environment, check=True)
-    with open(log) as stream:
-        found = re.search(r"Loop time of (\S+)", stream.read())
-    return float(found.group(1))
+    steps = round(meta["simulated_time"] / meta["solid_step"])
+    with open(os.path.join(folder, "dem", "in.native"), "w") as stream:
+        stream.write(f"include dem/in.liggghts\ntimestep {meta['solid_step']!r}\nrun {steps}\n")
+    said = launch.liggghts("dem/in.native", folder, parameters.read(os.path.join(folder, parameters.PARAMETERS)))
+    return loop_seconds(said)
+
+
+def loop_seconds(said):
+    return float(re.findall(r"Loop time of (\S+)", said)[-1])
 
 
 def overhead(given):
@@ -81,74 +71,46 @@ def overhead(given):
     with tempfile.TemporaryDirectory(prefix="interphase-bench-") as scratch:
         folder = os.path.join(scratch, "run")
         for pair in range(given.pairs):
-            timing, meta = coupled_run(folder, given.method, given.until,
-                                       ["system/couplingDict:gas/model=none", "system/couplingDict:gas/coupling=oneWay"])
+            timing, meta = ran(folder, given.until, method=given.method, **{"gas/model": "none", "gas/coupling": "oneWay"})
             native = native_loop_seconds(folder, meta)
-            ratios.append(native / float(timing["solids"]))
-            print(f"pair {pair + 1}: native {native:.2f} s, in the coupler {float(timing['solids']):.2f} s, "
+            ratios.append(native / timing["solids"])
+            print(f"pair {pair + 1}: native {native:.2f} s, in the coupler {timing['solids']:.2f} s, "
                   f"native / coupled {ratios[-1]:.3f}", flush=True)
     print(f"median native / coupled {statistics.median(ratios):.3f} (min {min(ratios):.3f}, max {max(ratios):.3f})")
 
 
 def phases(given):
-    scratch = None
     if given.run:
         timing, meta = Run(given.run).timing, Run(given.run).meta
     else:
-        scratch = tempfile.mkdtemp(prefix="interphase-bench-")
-        timing, meta = coupled_run(os.path.join(scratch, "run"), given.method, given.until, [])
-    wall, simulated = float(meta["wall_time"]), float(meta["simulated_time"])
-    print(f"{meta['method']}, weight {float(meta['weight']):g}, {simulated:g} s simulated, {int(meta['ranks'])} rank(s)")
+        with tempfile.TemporaryDirectory(prefix="interphase-bench-") as scratch:
+            timing, meta = ran(os.path.join(scratch, "run"), given.until, method=given.method)
+    wall, simulated = meta["wall_time"], meta["simulated_time"]
+    print(f"{meta['method']}, weight {meta['weight']:g}, {simulated:g} s simulated, {int(meta['ranks'])} rank(s)")
     rows = [("phase", "s per simulated s", "share")]
     for phase in ("solids", "gas", "mapping", "exchange", "output", "waiting", "setup"):
-        seconds = float(timing[phase])
+        seconds = timing[phase]
         rows.append((phase, f"{seconds / simulated:.2f}", f"{100 * seconds / wall:.1f} %"))
     print("\n".join(tables.columns(rows, right=(1, 2))))
-    coupling = sum(float(timing[phase]) for phase in ("mapping", "exchange", "output"))
-    engines = float(timing["solids"]) + float(timing["gas"])
-    running = wall - float(timing["setup"])
+    coupling = sum(timing[phase] for phase in ("mapping", "exchange", "output"))
+    engines = timing["solids"] + timing["gas"]
+    running = wall - timing["setup"]
     print(f"mapping + exchange + output: {100 * coupling / running:.1f} % of the time after set-up")
     print(f"whole / (solids + gas): {running / engines:.3f}")
-    if scratch:
-        shutil.rmtree(scratch)
 
 
-METHODS = {  # name: method, weight, entries of couplingDict and controlDict
-    "DEM": ("DEM", 1, []),
-    "TDHS": ("TDHS", 1, []),
-    "TDHS, 1.4 t_c": ("TDHS", 1, ["stepsPerCollision 0.5;"]),
-    "TDHS, 1.7 t_c": ("TDHS", 1, ["stepsPerCollision 0.59;", 1.2e-3]),
-    "TDHS, 2 t_c": ("TDHS", 1, ["stepsPerCollision 0.5;", 1.4e-3]),
-    "TDHS, 2.9 t_c": ("TDHS", 1, ["stepsPerCollision 0.33333;"]),
-    "CGHS": ("CGHS", 8, []),
-    "CGHS, 2 t_c": ("CGHS", 8, ["stepsPerCollision 0.5;", 2e-3]),
-    "CGHS, 3 t_c": ("CGHS", 8, ["stepsPerCollision 0.33333;", 3e-3]),
+PER_COLLISION, GAS_STEP = "particles/stepsPerCollision", "system/controlDict:deltaT"
+METHODS = {  # name: method, weight, other entries
+    "DEM": ("DEM", 1, {}),
+    "TDHS": ("TDHS", 1, {}),
+    "TDHS, 1.4 t_c": ("TDHS", 1, {PER_COLLISION: 0.5}),
+    "TDHS, 1.7 t_c": ("TDHS", 1, {PER_COLLISION: 0.59, GAS_STEP: 1.2e-3}),
+    "TDHS, 2 t_c": ("TDHS", 1, {PER_COLLISION: 0.5, GAS_STEP: 1.4e-3}),
+    "TDHS, 2.9 t_c": ("TDHS", 1, {PER_COLLISION: 0.33333}),
+    "CGHS": ("CGHS", 8, {}),
+    "CGHS, 2 t_c": ("CGHS", 8, {PER_COLLISION: 0.5, GAS_STEP: 2e-3}),
+    "CGHS, 3 t_c": ("CGHS", 8, {PER_COLLISION: 0.33333, GAS_STEP: 3e-3}),
 }
-
-
-def case_with(scratch, name, entries):
-    """A copy of sscp1 with `entries` in its couplingDict (a number among them: the gas step)."""
-    folder = os.path.join(scratch, name)
-    shutil.copytree(CASE, folder)
-    coupling = os.path.join(folder, "system", "couplingDict")
-    with open(coupling) as stream:
-        text = stream.read()
-    script = 'script      "dem/in.liggghts";'
-    text = text.replace(script, " ".join([script, *(entry for entry in entries if isinstance(entry, str))]))
-    with open(coupling, "w") as stream:
-        stream.write(text)
-    return folder
-
-
-def solids_per_second(folder, out, method, weight, until, settings, start=None):
-    arguments = [os.path.join(TOOLS, "run"), folder, "--method", method, "--weight", str(weight), "--until", repr(until),
-                 "--out", out, "--no-picture", "--overwrite", "--quiet", *(["--from", start] if start else [])]
-    for setting in settings:
-        arguments += ["--set", setting]
-    done = subprocess.run(arguments, capture_output=True, text=True)
-    if done.returncode != 0:
-        sys.exit(f"bench: {' '.join(arguments)} failed:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
-    return Run(out).timing["solids"] / Run(out).meta["simulated_time"]
 
 
 def methods(given):
@@ -157,22 +119,17 @@ def methods(given):
     for run in given.bed:
         beds[int(Run(run).meta["weight"])] = run
     with tempfile.TemporaryDirectory(prefix="interphase-bench-") as scratch:
-        folders = {}
-        for name in wanted:
-            method, weight, entries = METHODS[name]
-            start = beds.setdefault(weight, os.path.join(scratch, f"start-{weight}"))
-            if not os.path.isdir(start):
-                solids_per_second(CASE, start, "CGHS" if weight > 1 else "TDHS", weight, given.start, [])
-            folders[name] = case_with(scratch, f"case-{len(folders)}", entries)
+        for weight in {METHODS[name][1] for name in wanted} - set(beds):
+            beds[weight] = os.path.join(scratch, f"start-{weight}")
+            ran(beds[weight], given.start, method="CGHS" if weight > 1 else "TDHS", weight=weight)
         seconds = {name: [] for name in wanted}
         for turn in range(given.rounds):
             for name in wanted:
                 method, weight, entries = METHODS[name]
-                step = [f"system/controlDict:deltaT={entry}" for entry in entries if isinstance(entry, float)]
                 span = given.span if method == "DEM" else given.span * 6
                 span = round(span / 6e-3) * 6e-3
-                seconds[name].append(
-                    solids_per_second(folders[name], os.path.join(scratch, "run"), method, weight, span, step, beds[weight]))
+                timing, meta = ran(os.path.join(scratch, "run"), span, beds[weight], method=method, weight=weight, **entries)
+                seconds[name].append(timing["solids"] / meta["simulated_time"])
             told = ", ".join(f"{name} {seconds[name][-1]:.2f}" for name in wanted)
             print(f"round {turn + 1}: seconds of solids per simulated second: {told}", flush=True)
     rows = [("method", "s per s", "DEM / it, median (least to most)")]
@@ -215,47 +172,34 @@ def records(given):
     """Two lengths of a run, so that start and end of both cancel."""
     print(f"{'method':8s} {'tracked':>8s} {'a row [ms]':>11s} {'share':>8s} {'a checkpoint [s]':>17s} {'every 600 s':>12s}")
     for method, weight in (("TDHS", 1), ("CGHS", 8), ("CGHS", 64), ("MPPIC", 8)):
-        seldom = ["system/controlDict:writeInterval=1000", "system/couplingDict:records/snapshotInterval=1000"]
-        rows = [f"weight={weight}", f"system/couplingDict:records/interval={given.interval}", *seldom]
+        rows = {"method": method, "weight": weight, "records/interval": given.interval, "records/snapshotInterval": 1000,
+                "system/controlDict:writeInterval": 1000, "checkpoint/wallInterval": 0}  # fmt: skip
         with tempfile.TemporaryDirectory(prefix="interphase-bench-") as scratch:
-            def spent(until, kept):
-                case = os.path.join(scratch, "case")
-                if not os.path.isdir(case):
-                    shutil.copytree(CASE, case)
-                with open(os.path.join(CASE, "system/couplingDict")) as stream:
-                    text = stream.read() + f"\ncheckpoint {{ wallInterval 0; {kept} }}\n"
-                with open(os.path.join(case, "system/couplingDict"), "w") as stream:
-                    stream.write(text)
-                timing, meta = coupled_run(os.path.join(scratch, "run"), method, until, rows, case)
-                return float(timing["output"]), float(meta["wall_time"]), round(until / 1e-3), float(meta["particles"])
+            def spent(until, **kept):
+                timing, meta = ran(os.path.join(scratch, "run"), until, **rows, **kept)
+                return timing["output"], meta["wall_time"], round(until / 1e-3), meta["particles"]
 
-            short, long = spent(given.until, ""), spent(3 * given.until, "")
+            short, long = spent(given.until), spent(3 * given.until)
             output, wall, steps = (b - a for a, b in zip(short[:3], long[:3]))
             count = 10
-            kept = (spent(given.until, f"interval {given.until / count};")[0] - short[0]) / count
+            kept = (spent(given.until, **{"checkpoint/interval": given.until / count})[0] - short[0]) / count
         print(f"{method:5s}{weight:3d} {short[3]:8.0f} {1e3 * output / steps:11.2f} {100 * output / wall:6.2f} % {kept:17.2f} "
               f"{100 * kept / 600:10.2f} %", flush=True)
 
 
-def settled_bed(count, settle, steps, ranks=1):
+def settled_bed(count, settle, steps):
     """Seconds per step of each part, in a bed of `count` spheres of 3.256 mm that has come to rest; contacts per sphere."""
     diameter = 3.256e-3
     width = max(8 * diameter, (count * math.pi / 6 * diameter**3 / 0.4 / 4) ** (1 / 3))
     with tempfile.TemporaryDirectory(prefix="interphase-bench-") as scratch:
-        subprocess.run([os.path.join(TOOLS, "bed"), "--count", str(count), "--diameter", repr(diameter), "--density", "1131",
-                        "--box", "0", repr(width), "0", repr(width), "0", repr(12 * width), "--packing", "0.4",
-                        "--types", "2", "--out", "bed.data"], cwd=scratch, check=True, capture_output=True)
+        with contextlib.redirect_stdout(io.StringIO()):
+            bed.main(["--count", str(count), "--diameter", repr(diameter), "--density", "1131", "--box", "0", repr(width), "0", repr(width), "0",
+                      repr(12 * width), "--packing", "0.4", "--types", "2", "--out", os.path.join(scratch, "bed.data")])  # fmt: skip
         with open(os.path.join(scratch, "in.settled"), "w") as stream:
             stream.write(SETTLED.format(bins=2 * diameter, diameter=diameter, width=width, settle=settle, steps=steps,
                                         parts=" ".join(f"v_hs_{part}" for part in PARTS)))
-        environment = {**os.environ, **launch.additions(os.environ)}
-        program = os.path.join(REPOSITORY, "build", "release", "interphase-liggghts")
-        before = ["mpirun", "-np", str(ranks), "--oversubscribe"] if ranks > 1 else []
-        subprocess.run([*before, program, "-plugin", "hard_sphere", "-in", "in.settled", "-screen", "none"], cwd=scratch,
-                       env=environment, check=True)
-        with open(os.path.join(scratch, "log.liggghts")) as stream:
-            log = stream.read()
-    loop = float(re.findall(r"Loop time of (\S+)", log)[-1])
+        log = launch.liggghts("in.settled", scratch, plugins=["hard_sphere"])
+    loop = loop_seconds(log)
     rows = [line.split() for line in log.splitlines() if re.fullmatch(r"[\d\s.e+-]+", line) and len(line.split()) == 3 + len(PARTS)]
     spent = [(float(b) - float(a)) / steps for a, b in zip(rows[-2][3:], rows[-1][3:])]
     return dict(zip(PARTS, spent)), loop / steps, float(rows[-1][2]) / count
@@ -288,11 +232,11 @@ def scaling_of_mp_pic(given):
     with tempfile.TemporaryDirectory(prefix="interphase-bench-") as scratch:
         for parcels in (10_000, 100_000, 1_000_000):
             # as much solid volume in each: the same bed
-            settings = ["weight=1", f"particleCount={parcels}", f"diameter={diameter * (count / parcels) ** (1 / 3)!r}"]
-            timing, meta = coupled_run(os.path.join(scratch, "run"), "MPPIC", given.until, settings)
-            steps = parcels * float(meta["simulated_time"]) / float(meta["solid_step"])
-            coupling = float(timing["mapping"]) + float(timing["exchange"])
-            print(f"{parcels:9d} {1e9 * float(timing['solids']) / steps:10.1f} {1e9 * coupling / steps:22.1f}", flush=True)
+            timing, meta = ran(os.path.join(scratch, "run"), given.until, method="MPPIC", weight=1, particleCount=parcels,
+                               diameter=diameter * (count / parcels) ** (1 / 3))  # fmt: skip
+            steps = parcels * meta["simulated_time"] / meta["solid_step"]
+            coupling = timing["mapping"] + timing["exchange"]
+            print(f"{parcels:9d} {1e9 * timing['solids'] / steps:10.1f} {1e9 * coupling / steps:22.1f}", flush=True)
 
 
 def main():
@@ -325,7 +269,10 @@ def main():
         one_of.add_argument("--settle", type=int, default=1000, help="steps before measuring (default 1000)")
     four.add_argument("--steps", type=int, default=200)
     given = parser.parse_args()
-    {"overhead": overhead, "phases": phases, "methods": methods, "cost": cost, "scaling": scaling, "records": records}[given.command](given)
+    try:
+        {"overhead": overhead, "phases": phases, "methods": methods, "cost": cost, "scaling": scaling, "records": records}[given.command](given)
+    except (InputError, StepFailed) as error:
+        sys.exit(f"bench: {error}")
 
 
 if __name__ == "__main__":

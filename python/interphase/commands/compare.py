@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Compare two records of particles: runs of interphase and native LIGGGHTS dumps, in any pairing."""
 
-import argparse
 import json
 import math
 import os
 import sys
 
-CANNOT = 2
-
 from interphase import comparison, comparison_report, exits
+from interphase.command_line import Parser, check_order, number, positive, share
+from interphase.comparison import CANNOT
 from interphase.difference import Tolerances
 from interphase.input_error import InputError
 
@@ -59,24 +58,16 @@ examples:
   tools/compare runs/one runs/two --statistics --from 10 --json > difference.json"""
 
 
-class Arguments(argparse.ArgumentParser):
-    def error(self, message):
-        raise InputError(f"{message}. Usage: tools/compare A B [options]; see --help")
-
-
 def arguments(given):
-    parser = Arguments(
-        prog="tools/compare", description=__doc__, epilog=DETAILS,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+    parser = Parser("tools/compare", "A B", description=__doc__, epilog=DETAILS)
     parser.add_argument("a", metavar="A", help="a run or a dump")
     parser.add_argument("b", metavar="B", help="another")
     parser.add_argument(
-        "--from", metavar="T", dest="start", type=number(),
+        "--from", metavar="T", dest="start", type=number,
         help="leave out what is before T [s]; between two dumps without --timestep: a time step",
     )
-    parser.add_argument("--until", metavar="T", dest="end", type=number(), help="leave out what is after T")
-    parser.add_argument("--timestep", metavar="DT", type=number(above_zero=True), help="solid step of the dumps [s]")
+    parser.add_argument("--until", metavar="T", dest="end", type=number, help="leave out what is after T")
+    parser.add_argument("--timestep", metavar="DT", type=positive, help="solid step of the dumps [s]")
     parser.add_argument(
         "--tolerance", metavar="[QUANTITY=]X", action="append", default=[],
         help="allow differences up to X times the quantity's root mean square; may be given again",
@@ -92,16 +83,13 @@ def arguments(given):
     parser.add_argument("--same-times", action="store_true", help="times that only one side has are a difference")
     parser.add_argument("--statistics", action="store_true", help="compare means over time, for chaotic flows")
     parser.add_argument(
-        "--confidence", metavar="C", type=number(), help="of --statistics' verdict, between 0 and 1 (default: 0.99)"
+        "--confidence", metavar="C", type=share, help="of --statistics' verdict, between 0 and 1 (default: 0.99)"
     )
     parser.add_argument(
         "--json", action="store_true", help="print everything as JSON, with the largest difference at each time"
     )
     options = parser.parse_args(given)
-    if options.confidence is not None and not 0 < options.confidence < 1:
-        raise InputError(f"--confidence {options.confidence:g}: give a number between 0 and 1, such as 0.99")
-    if options.start is not None and options.end is not None and options.start > options.end:
-        raise InputError(f"--from {options.start:g} is after --until {options.end:g}: nothing is left to compare")
+    check_order(options.start, options.end)
     options.only = [name.strip() for names in options.only for name in names.split(",") if name.strip()]
     options.tolerances = Tolerances(
         absolute=tolerance("--absolute", options.absolute), relative=tolerance("--tolerance", options.tolerance)
@@ -114,21 +102,6 @@ def arguments(given):
         raise InputError("--confidence belongs to --statistics; leave it out, or add --statistics")
     options.confidence = options.confidence or 0.99
     return options
-
-
-def number(above_zero=False):
-    """A reader of finite numbers for argparse."""
-
-    def read(text):
-        try:
-            value = float(text)
-        except ValueError:
-            value = math.nan
-        if not math.isfinite(value) or (above_zero and value <= 0):
-            raise argparse.ArgumentTypeError(f"{text!r} is not a number{' above 0' if above_zero else ''}")
-        return value
-
-    return read
 
 
 def tolerance(option, texts):

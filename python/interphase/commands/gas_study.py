@@ -32,9 +32,8 @@ import subprocess
 import sys
 from dataclasses import dataclass, replace
 
-from interphase import parameters, tables
-from interphase.run import Run
-from interphase.tree import REPOSITORY, TOOLS
+from interphase import Case, InputError, Run, StepFailed, launch, parameters, tables
+from interphase.tree import REPOSITORY
 
 # Divides every gas step below; of the shortest collision of sscp1: 1/40 for parcels of 8, 1/14 for single particles [s].
 SOLID_STEP = 2.5e-5
@@ -123,17 +122,13 @@ def developed_bed(options):
     """Runs the case until the start; its folder."""
     folder = os.path.join(options.out, "start")
     if options.fresh or not os.path.exists(os.path.join(folder, "results.h5")):
-        command = [os.path.join(TOOLS, "run"), options.case, "--until", f"{options.start:g}", "--out", folder,
-                   "--no-picture", "--overwrite", "--quiet", "--set", "system/controlDict:writeFormat=ascii"]  # fmt: skip
-        for setting in options.set:
-            command += ["--set", setting]
         print("developing the bed until", options.start, "s ...", flush=True)
-        if subprocess.run(command).returncode != 0:
+        entries = {"system/controlDict:writeFormat": "ascii", **dict(setting.partition("=")[::2] for setting in options.set)}
+        if not Case(options.case).set(entries).run(folder, until=options.start, overwrite=True).ok:
             sys.exit(f"gas-study: the run that develops the bed failed; its folder is {folder}")
-    times = [name for name in os.listdir(folder) if re.fullmatch(r"[0-9.e+-]+", name)]
-    last = max(times, key=float)
-    if abs(float(last) - options.start) > 1e-6:
-        sys.exit(f"gas-study: {folder} ends at {last} s, not at {options.start:g} s; --fresh runs it again")
+    last = Run(folder).field_times[-1]
+    if abs(last - options.start) > 1e-6:
+        sys.exit(f"gas-study: {folder} ends at {last:g} s, not at {options.start:g} s; --fresh runs it again")
     return folder
 
 
@@ -173,11 +168,8 @@ def run_once(folder, environment, binary):
 
 
 def field(folder, name):
-    """The cells' values of the last time folder, [n] or [n, 3]."""
-    from interphase import foam_field
-
-    times = [t for t in os.listdir(folder) if re.fullmatch(r"[0-9.e+-]+", t)]
-    return foam_field.internal_field(os.path.join(folder, max(times, key=float), name)).values
+    """The values of the last time folder in cells or faces, [n] or [n, 3]."""
+    return Run(folder).fields(name).values
 
 
 def differences(folder, against, outlet_pressure):
@@ -225,8 +217,6 @@ def arguments():
 
 def main():
     options = arguments()
-    from interphase import launch
-
     base = Variant(options.step, options.scheme, options.predictor == "yes", options.outer, options.inner, options.solver,
                    options.relative, options.tolerance)  # fmt: skip
     groups = variants(base)
@@ -235,7 +225,7 @@ def main():
         if not groups:
             sys.exit(f"gas-study: --group {' '.join(options.group)}: the groups are {', '.join(variants(base))}")
     start = developed_bed(options)
-    binary = os.environ.get("INTERPHASE_BIN") or os.path.join(REPOSITORY, "build", "release", "interphase")
+    binary = launch.program("interphase")
     environment = {**os.environ, **launch.additions(os.environ)}
 
     timed = list(dict.fromkeys(v for group in groups.values() for v in group))
@@ -281,4 +271,7 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except (InputError, StepFailed) as error:
+        sys.exit(f"gas-study: {error}")

@@ -4,8 +4,8 @@
 import argparse
 import os
 import re
-import sys
 
+from interphase import exits
 from interphase.input_error import InputError
 from interphase.tree import REPOSITORY, TOOLS
 
@@ -94,8 +94,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except InputError as refused:
-        print(f"tools/new-plugin: error: {refused}", file=sys.stderr)
-        sys.exit(2)
+    exits.after(main, "tools/new-plugin", "plug-in's folder")

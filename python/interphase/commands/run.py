@@ -275,7 +275,7 @@ def main():
     case_folder.anchor_plugins(case)
     name = os.path.basename(case_path)
     folder = os.path.abspath(given.out or default_folder(case_path, method, weight, given.ranks or 1))
-    earlier = earlier_run.record_of(folder, MARK, name) if given.resume else None
+    earlier = earlier_run.record_of(folder, name) if given.resume else None
     if earlier is None:
         given.ranks = given.ranks or 1
         check_folder(folder, case_path, given.overwrite)

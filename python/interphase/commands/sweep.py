@@ -5,13 +5,13 @@ Runs that are there are kept, those that were stopped go on from their checkpoin
 The same command again does what is missing.
 """
 
-import argparse
 import fcntl
 import os
 import shutil
 import sys
 
 from interphase import case_folder, exits, launch, sweep_plan, sweep_runs
+from interphase.command_line import Parser, count, end_time, time
 from interphase.commands import run as tools_run
 from interphase.input_error import InputError
 from interphase.missing import module
@@ -29,6 +29,8 @@ EXAMPLES = """examples:
 places of the particles at the start. A case without that entry is refused: its runs would be one run. Two runs that are equal
 to the last bit count once.
 
+A --quantity that the runs do not record is refused by the first run that records anything; the runs that go end then, and can go on.
+
 The mean is that over the rows of /series from --after on, and over the runs of different seeds. Its standard error is the
 larger one of two: by the scatter of the runs' means, and by each run's own error, autocorrelation taken in. `?` says that the
 error is not to be trusted; the reasons follow the table. Quantities that are constant in all runs are in sweep.csv only.
@@ -44,28 +46,21 @@ exit code: 0 where all runs are there; 1 where some failed; 130 where it was sto
 
 
 def arguments():
-    parser = argparse.ArgumentParser(prog="tools/sweep", description=__doc__, epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser("tools/sweep", "CASE", description=__doc__, epilog=EXAMPLES)
     parser.add_argument("case", metavar="CASE", help="a case folder, such as cases/sscp1")
     parser.add_argument("--set", metavar="NAME=V,V,...", action="append", default=[], dest="settings", help="values of an entry; may be given again")
     parser.add_argument("--method", metavar="M,M,...", help=f"collision methods, of {', '.join(case_folder.METHODS)} (default: the case's)")
     parser.add_argument("--weight", metavar="W,W,...", help="real particles per parcel (default: the case's; DEM and TDHS: 1)")
-    parser.add_argument("--seeds", metavar="N", type=int, help="runs of each combination, each from another start")
-    parser.add_argument("--until", metavar="T", type=float, help="simulated time to end at, in s (default: the case's)")
-    parser.add_argument("--after", metavar="T", type=float, help="average from this time on, in s (default: the later half of each run)")
+    parser.add_argument("--seeds", metavar="N", type=count, help="runs of each combination, each from another start")
+    parser.add_argument("--until", metavar="T", type=end_time, help="simulated time to end at, in s (default: the case's)")
+    parser.add_argument("--after", metavar="T", type=time, help="average from this time on, in s (default: the later half of each run)")
     parser.add_argument("--quantity", metavar="Q,Q,...", help="series to show, such as pressure_drop (default: all that vary)")
-    parser.add_argument("--ranks", metavar="N", type=int, default=1, help="MPI ranks of each run (default 1)")
-    parser.add_argument("--jobs", metavar="N", type=int, help="runs at a time; ranks times jobs are at most the cores (default: as many as go)")
+    parser.add_argument("--ranks", metavar="N", type=count, default=1, help="MPI ranks of each run (default 1)")
+    parser.add_argument("--jobs", metavar="N", type=count, help="runs at a time; ranks times jobs are at most the cores (default: as many as go)")
     parser.add_argument("--retry", action="store_true", help="try again what has failed")
     parser.add_argument("--out", metavar="DIR", help="folder of the sweep (default: runs/sweep-<case>)")
     given = parser.parse_args()
-    for name in ("seeds", "ranks", "jobs"):
-        number = getattr(given, name)
-        if number is not None and number < 1:
-            raise InputError(f"--{name} {number}: give 1 or more")
-    if given.until is not None and not 0 < given.until < float("inf"):
-        raise InputError(f"--until {given.until:g}: give a time in s, above 0")
-    if given.after is not None and not 0 <= given.after < float("inf"):
-        raise InputError(f"--after {given.after:g}: give a time in s, 0 or above")
+    given.quantity = given.quantity and sweep_plan.listed(given.quantity)
     return given
 
 
@@ -102,7 +97,7 @@ def locked(folder):
 def report(sweep, given, name):
     """Table, sweep.csv and sweep.png of what has ended."""
     table = module("sweep_table")
-    result = table.measure(sweep, given.after, given.quantity and sweep_plan.listed(given.quantity))
+    result = table.measure(sweep, given.after, given.quantity)
     part = "the later half of each run" if given.after is None else f"t >= {given.after:g} s"
     say(f"\n{name}, means over {part} +- standard error\n")
     say("\n".join(table.lines(result, shutil.get_terminal_size((150, 24)).columns)))
@@ -137,7 +132,7 @@ def main():
     os.makedirs(folder, exist_ok=True)
     with locked(folder):
         points = sweep_plan.placed(points, folder)
-        sweep = sweep_runs.Sweep(points, folder, sweep_runs.Notes(folder, case, digest), given.ranks, jobs, given.retry, say)
+        sweep = sweep_runs.Sweep(points, folder, sweep_runs.Notes(folder, case, digest), given.ranks, jobs, given.retry, say, given.quantity)
         sweep.notes.write()
         counts = ", ".join(f"{sweep.count(stand)} {stand}" for stand in (DONE, RUNNING, GO_ON, NEW, HOLE) if sweep.count(stand))
         whole = True

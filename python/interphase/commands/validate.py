@@ -1,16 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Run one LIGGGHTS script in the packaged `liggghts` and in the coupler without gas, compare and judge."""
 
-import argparse
 import os
 import re
 import sys
 import tempfile
 
-from interphase import exits, validation
+from interphase import exits, validation, validation_scene
+from interphase.command_line import Parser, end_time
+from interphase.comparison import CANNOT
 from interphase.input_error import InputError
-
-CANNOT = 2
 
 DETAILS = """CASE_OR_SCRIPT is
   a LIGGGHTS script   with `timestep` and `run N`. Its folder is copied, so files that it reads must lie in it. Earlier runs
@@ -36,17 +35,11 @@ examples:
   tools/validate my.liggghts --ranks 1 --only-coupler friction=0.5     # made wrong on purpose: must end with 1"""
 
 
-class Arguments(argparse.ArgumentParser):
-    def error(self, message):
-        raise InputError(f"{message}. Usage: tools/validate CASE_OR_SCRIPT [options]; see --help")
-
-
 def arguments(given):
-    parser = Arguments(prog="tools/validate", description=__doc__, epilog=DETAILS,
-                       formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser("tools/validate", "CASE_OR_SCRIPT", description=__doc__, epilog=DETAILS)
     parser.add_argument("scene", metavar="CASE_OR_SCRIPT", help="a LIGGGHTS script or a case's folder")
     parser.add_argument("--ranks", metavar="N,...", default="1,2", help="MPI ranks to try, both sides on the same (default: 1,2)")
-    parser.add_argument("--until", metavar="T", type=float, help="of a case: simulated time [s] (default: the case's)")
+    parser.add_argument("--until", metavar="T", type=end_time, help="of a case: simulated time [s] (default: the case's)")
     parser.add_argument("--set", metavar="KEY=VALUE", action="append", default=[], dest="settings", help="of a case: as tools/run has it")
     parser.add_argument("--var", metavar="NAME=VALUE", action="append", default=[], help="a variable of the script, on both sides")
     parser.add_argument("--only-coupler", metavar="NAME=VALUE", action="append", default=[], dest="wrong",
@@ -62,8 +55,6 @@ def arguments(given):
     options.var, options.wrong = (dict(map(pair, texts)) for texts in (options.var, options.wrong))
     if options.out and os.path.isdir(options.out) and os.listdir(options.out):
         raise InputError(f"--out {options.out}: it is not empty; give another folder")
-    if options.until is not None and not options.until > 0:
-        raise InputError(f"--until {options.until:g}: give a time above 0 s")
     is_case = os.path.isdir(options.scene)
     wrong_kind = ("plugin",) if is_case else ("until", "settings")
     for name in wrong_kind:
@@ -83,9 +74,9 @@ def pair(text):
 
 def run(options, out):
     if os.path.isdir(options.scene):
-        scene = validation.scene_of_case(options.scene, out, options.settings, options.until, options.var, options.wrong)
+        scene = validation_scene.scene_of_case(options.scene, out, options.settings, options.until, options.var, options.wrong)
     elif os.path.isfile(options.scene):
-        scene = validation.scene_of_script(
+        scene = validation_scene.scene_of_script(
             options.scene, out, options.var, options.wrong, options.weight, options.method, options.plugin)
     else:
         raise InputError(f"{options.scene}: neither a script nor a case's folder")

@@ -106,17 +106,8 @@ class BedAtRest(support.ProgramTest):
         box = boxes.Box(size, cells, diameter, 1131.0, place, weight=8.0, gravity=G, e=0.84, en=0.92, et=0.92, step=1e-3, end=12.0,
                         write_every=0.05, sides="noSlip")  # fmt: skip
         done = self.run_case(box.write(os.path.join(self.root, "bed")), timeout=800)
-<<<<<<< HEAD
-        with done.results() as file:
-            time, fullest = file["/series/time"][:], 1 - file["/series/lowest_voidage"][:]
-            relieved = file["/ledger/cells_relieved"][-1]
-            energy = file["/series/kinetic_energy"][:]
-=======
         time, fullest = done.column("series/time"), 1 - done.column("series/lowest_voidage")
-        height, relieved = done.column("series/bed_height"), done.column("ledger/cells_relieved")[-1]
-        beyond = done.column("ledger/cells_beyond_close_packing")
-        energy = done.column("series/kinetic_energy")
->>>>>>> h-py
+        relieved, energy = done.column("ledger/cells_relieved")[-1], done.column("series/kinetic_energy")
         rest = time > 3  # it falls, and sloshes until 2.6 s
         measured.below(self, "bed of 1,280 parcels at rest for 9 s: fullest cell, close packing being 0.6", fullest[rest].max(), 1.02 * self.CLOSE_PACKING)
         self.assertEqual(relieved, 0)  # nothing was handed on to keep it so
