@@ -12,6 +12,7 @@ import numpy
 from interphase.input_error import InputError
 from interphase.particle_states import ParticleState
 from interphase.run_records import find_run, open_h5
+from interphase.stored import word
 
 SAME_TIME = 1e-6  # relative: times are typed, and named in folders, with few digits
 
@@ -78,15 +79,15 @@ def _recorded(run):
     found = {}
     if run.results:
         with open_h5(run.results) as file:
-            found = dict(file["meta"].attrs) if "meta" in file else {}
+            found = {name: word(value) for name, value in file["meta"].attrs.items()} if "meta" in file else {}
     if "weight" not in found and os.path.isfile(os.path.join(run.path, "run.json")):
         try:
             with open(os.path.join(run.path, "run.json"), encoding="utf-8") as stream:
                 found = json.load(stream)
         except ValueError:
             found = {}
-    weight, method = found.get("weight"), found.get("method")
-    return (None if weight is None else float(weight)), (method.decode() if isinstance(method, bytes) else method)
+    weight = found.get("weight")
+    return (None if weight is None else float(weight)), found.get("method")
 
 
 def _check(state, where):

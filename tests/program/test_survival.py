@@ -114,7 +114,7 @@ class Signals(Bed):
         rows, snapshots = self.check_whole(folder)
         with h5py.File(os.path.join(folder, "results.h5"), "r") as file:
             last = float(file["meta"].attrs["simulated_time"])
-            self.assertEqual(file["meta"].attrs["stopped_by"].decode(), name)
+            self.assertEqual(file["meta"].attrs["stopped_by"], name)
             self.assertIn("wall_time", file["meta"].attrs)
             self.assertEqual(file["ledger/time"][-1], last)
         self.assertEqual(rows + 1, snapshots)  # the start has a snapshot and no row
