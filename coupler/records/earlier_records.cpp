@@ -13,15 +13,13 @@ namespace {
 
 std::string of_results(Hdf5File& file)
 {
-    std::size_t rows = 0;
+    const std::vector<double> series = file.numbers("/series/time"), ledger = file.numbers("/ledger/time");
+    if (series.size() < 2 && ledger.empty()) return "";  // the start's
     double last = 0;
-    for (const char* table : {"/series/time", "/ledger/time"}) {
-        const std::vector<double> at = file.numbers(table);
-        if (at.empty()) continue;
-        rows = std::max(rows, at.size());
-        last = std::max(last, at.back());
-    }
-    return rows == 0 ? "" : std::to_string(rows) + " rows, to t = " + text(last) + " s";
+    for (const std::vector<double>* times : {&series, &ledger})
+        if (!times->empty()) last = std::max(last, times->back());
+    const std::size_t rows = std::max(series.size(), ledger.size());
+    return std::to_string(rows) + " rows, to t = " + text(last) + " s";
 }
 
 std::string of_snapshots(Hdf5File& file)

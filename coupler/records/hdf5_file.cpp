@@ -36,14 +36,23 @@ void demand(herr_t status, const std::string& what)
     if (status < 0) throw unwritten("HDF5 could not write " + what, "the case folder");
 }
 
+/// Of any length: h5py reads that as `str`, and a text of fixed length as bytes.
+Hdf5Handle text_of_any_length()
+{
+    Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "a text type");
+    H5Tset_size(type, H5T_VARIABLE);
+    H5Tset_cset(type, H5T_CSET_UTF8);
+    return type;
+}
+
 void write_unit(hid_t data_set, const std::string& unit)
 {
-    const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "a text type");
-    H5Tset_size(type, unit.empty() ? 1 : unit.size());
+    const Hdf5Handle type = text_of_any_length();
     const Hdf5Handle scalar(H5Screate(H5S_SCALAR), H5Sclose, "a data space");
     const Hdf5Handle attribute(H5Acreate2(data_set, "unit", type, scalar, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
                                "a unit");
-    demand(H5Awrite(attribute, type, unit.empty() ? "1" : unit.c_str()), "a unit");
+    const char* words = unit.empty() ? "1" : unit.c_str();
+    demand(H5Awrite(attribute, type, &words), "a unit");
 }
 
 void replace_attribute(hid_t object, const std::string& name, hid_t type, hid_t shape, const void* value)
@@ -109,10 +118,9 @@ Hdf5Handle Hdf5File::object(const std::string& path)
 
 void Hdf5File::set_attribute(const std::string& path, const std::string& name, const std::string& value)
 {
-    const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "a text type");
-    H5Tset_size(type, value.empty() ? 1 : value.size());
-    replace_attribute(object(path), name, type, Hdf5Handle(H5Screate(H5S_SCALAR), H5Sclose, "a data space"),
-                      value.c_str());
+    const char* words = value.c_str();
+    replace_attribute(object(path), name, text_of_any_length(),
+                      Hdf5Handle(H5Screate(H5S_SCALAR), H5Sclose, "a data space"), &words);
 }
 
 void Hdf5File::set_attribute(const std::string& path, const std::string& name, double value)

@@ -7,18 +7,20 @@ namespace interphase {
 
 std::vector<Results::Entry> Observation::row(double time) const
 {
-    return {{"time", "s", time},
-            {"particles", "1", static_cast<double>(particles)},
-            {"particles_in", "1", came},
-            {"particles_out", "1", went},
-            {"kinetic_energy", "J", kinetic_energy},
-            {"bed_height", "m", bed_height},
-            {"vertical_velocity", "m/s", vertical_velocity},
-            {"pressure_drop", "Pa", pressure_drop},
-            {"bed_weight_per_area", "Pa", bed_weight},
-            {"lowest_voidage", "1", lowest_voidage},
-            {"highest_voidage", "1", highest_voidage},
-            {"courant_number", "1", courant_number}};
+    std::vector<Results::Entry> row{{"time", "s", time},
+                                    {"particles", "1", static_cast<double>(particles)},
+                                    {"particles_in", "1", came},
+                                    {"particles_out", "1", went},
+                                    {"kinetic_energy", "J", kinetic_energy},
+                                    {"bed_height", "m", bed_height},
+                                    {"vertical_velocity", "m/s", vertical_velocity}};
+    if (!gas) return row;
+    if (gas->pressure_drop) row.push_back({"pressure_drop", "Pa", *gas->pressure_drop});
+    row.push_back({"bed_weight_per_area", "Pa", gas->bed_weight});
+    row.push_back({"lowest_voidage", "1", gas->lowest_voidage});
+    row.push_back({"highest_voidage", "1", gas->highest_voidage});
+    row.push_back({"courant_number", "1", gas->courant_number});
+    return row;
 }
 
 double weight_per_area(const CaseGas& gas, double mass)
@@ -58,19 +60,19 @@ Observation observe(const Communicator& comm, Solids& solids, const CaseGas* gas
         seen.bed_height = 2 * (sums[2] / sums[0] - floor);
         seen.vertical_velocity = sums[3] / sums[0];
     }
-    if (gas) {
-        double least = 1, most = 0;
-        for (const double eps : voidage) {
-            least = std::min(least, eps);
-            most = std::max(most, eps);
-        }
-        seen.lowest_voidage = comm.min(least);
-        seen.highest_voidage = comm.max(most);
-        seen.courant_number = gas->courant_number();
-        seen.bed_weight = weight_per_area(*gas, sums[0]);
-        if (pressure_taps.size() == 2)
-            seen.pressure_drop = gas->pressure_at(pressure_taps[0]) - gas->pressure_at(pressure_taps[1]);
+    if (!gas) return seen;
+    double least = 1, most = 0;
+    for (const double eps : voidage) {
+        least = std::min(least, eps);
+        most = std::max(most, eps);
     }
+    Observation::OfGas& of_gas = seen.gas.emplace();
+    of_gas.lowest_voidage = comm.min(least);
+    of_gas.highest_voidage = comm.max(most);
+    of_gas.courant_number = gas->courant_number();
+    of_gas.bed_weight = weight_per_area(*gas, sums[0]);
+    if (pressure_taps.size() == 2)
+        of_gas.pressure_drop = gas->pressure_at(pressure_taps[0]) - gas->pressure_at(pressure_taps[1]);
     return seen;
 }
 

@@ -62,9 +62,13 @@ void Report::progress(double time, const Observation& seen)
     const bool known = end_time_ < unknown_end;
     const double left = std::max(0.0, end_time_ - time);
     const std::string eta = known ? duration(done_here > 0 ? wall * left / done_here : 0) : "?";
-    std::printf("t = %-9.4g s  %3.0f %%  %9.3g s/s  ETA %-8s voidage %.3f..%.3f  Co %.2f  particles %ld\n", time,
+    std::printf("t = %-9.4g s  %3.0f %%  %9.3g s/s  ETA %-8s ", time,
                 done > 0 && known ? 100 * done / (done + left) : 0.0, done_here > 0 ? done_here / wall : 0.0,
-                eta.c_str(), seen.lowest_voidage, seen.highest_voidage, seen.courant_number, seen.particles);
+                eta.c_str());
+    if (seen.gas)
+        std::printf("voidage %.3f..%.3f  Co %.2f  ", seen.gas->lowest_voidage, seen.gas->highest_voidage,
+                    seen.gas->courant_number);
+    std::printf("particles %ld\n", seen.particles);
     std::fflush(stdout);
 }
 

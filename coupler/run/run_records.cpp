@@ -126,12 +126,13 @@ void RunRecords::record(const Moment& moment)
     const double now = gas_case.time();
     const bool row_due = rows_.due(now, moment.gas_step);
     if (row_due || moment.shown || moment.at_end) {
+        if (moment.at_start && scene_.coupling) scene_.coupling->look_at_start();
         last_seen_ = observe(scene_.comm, scene_.solids, scene_.gas,
                              scene_.coupling ? scene_.coupling->voidage() : Scalars{}, scene_.settings.pressure_taps);
         const PopulationTotals totals = came_and_went();
         last_seen_.came = totals.came();
         last_seen_.went = totals.went();
-        if (row_due && !moment.at_start) results_.add_row("/series", last_seen_.row(now));
+        if (row_due) results_.add_row("/series", last_seen_.row(now));
     }
     rows_.pass(now, moment.gas_step);
 

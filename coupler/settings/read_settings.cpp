@@ -155,7 +155,10 @@ void read_records(Reader& dict, Settings& settings)
     dict.number({"interval", "time between two rows of /series", "s"}, settings.record_interval, above(0));
     dict.number({"snapshotInterval", "time between two snapshots of the particles", "s", "when the gas is written"},
                 settings.snapshot_interval, above(0));
-    dict.points({"pressureTaps", "the pressure of the first less that of the second is recorded", "m"},
+    dict.points({"pressureTaps",
+                 "the pressure of the first less that of the second is recorded: /series/pressure_drop, which "
+                 "there is only then",
+                 "m", "none"},
                 settings.pressure_taps, 2,
                 "give two points: the pressure of the first less that of the second is recorded");
 }

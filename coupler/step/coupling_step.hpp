@@ -32,6 +32,10 @@ public:
     /// The time that messages count from [s]; 0 at first.
     void start_at(double time) { watch_.start_at(time); }
 
+    /// Before the first step: voidage() becomes that of the particles where they start. Throws as advance() does.
+    /// Collective.
+    void look_at_start();
+
     /// Advances gas and particles by `dt` = `substeps` solid steps. Throws a UserError on all ranks if a particle is
     /// outside the mesh, a packing cannot be relieved, a value is not finite or a weight below 1. Collective.
     void advance(double dt, int substeps);

@@ -2,6 +2,7 @@
 // What ends a coupling step: particles outside the mesh, numbers that cannot be.
 #include <cmath>
 
+#include "base/sphere.hpp"
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "step/coupling_step.hpp"
@@ -14,6 +15,39 @@ void CouplingStep::inspect_start()
     inspected_ = true;
     comm_.fail_together(
         trouble(solids_.particles()));  // before a value that is not finite spreads through the gas to other particles
+}
+
+/// The first step does it once more, and counts what it finds; those in no cell are its to judge, too.
+void CouplingStep::look_at_start()
+{
+    inspect_start();
+    if (!settings_.two_way) return;  // the gas does not feel the particles
+    const ParticleView particles = solids_.particles();
+    std::vector<CellAddress> cells(particles.size());
+    place_in_periods(particles);
+    owner_cell_search_.update(images_of(particles), particles.radius, cells);
+    owner_exchange_.plan(cells);
+    struct Sphere {
+        double position[3], volume;
+    };
+    std::vector<Sphere> travelling, arrived;
+    for (const std::size_t i : owner_exchange_.order()) {
+        const auto column = static_cast<Eigen::Index>(i);
+        Sphere sphere{{}, sphere_volume(particles.radius[column])};
+        set(sphere.position, images_of(particles).col(column));
+        travelling.push_back(sphere);
+    }
+    owner_exchange_.gather(Message(travelling, arrived));
+    Vectors positions;
+    Scalars volumes;
+    for (const Sphere& sphere : arrived) {
+        positions.push_back(to_vector(sphere.position));
+        volumes.push_back(sphere.volume);
+    }
+    mapping_.place(positions, owner_exchange_.cells(), volumes);
+    const Scalars solid_volume = mapping_.solid_volume(volumes);
+    for (std::size_t c = 0; c < voidage_.size(); ++c)
+        voidage_[c] = 1.0 - solid_volume[c] / gas_.mesh().volume[c];
 }
 
 void CouplingStep::refuse_other_periods() const

@@ -143,6 +143,12 @@ class Run:
         return f"<Run {self.path}: {self.state}>"
 
 
+NO_PRESSURE_DROP = ("no pressure drop was recorded: the case has no pressure taps, or no gas; `records { pressureTaps ((x y z) (x y z)); }` in "
+                    "system/couplingDict asks for it")  # fmt: skip
+
+
 def no_such(what, name, names):
     """The InputError for a `name` that is not among `names`."""
+    if name == "pressure_drop" and names:
+        return InputError(f"{what}: {NO_PRESSURE_DROP}")
     return InputError(f"{what} has no '{name}': {nearest(name, names)}")

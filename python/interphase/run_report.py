@@ -14,6 +14,7 @@ from scipy import signal
 
 from interphase import bed_statistics, time_statistics as statistics
 from interphase.input_error import InputError
+from interphase.run import NO_PRESSURE_DROP
 from interphase.statistical_comparison import uneven
 from interphase.time_statistics import Mean
 
@@ -275,8 +276,11 @@ def _series(report, run, chosen):
     if report.last - times[-1] > 1.5 * numpy.diff(times).max(initial=0.0):
         report.notes.append(f"rows of /series end at {times[-1]:.4g} s, before the snapshots: what comes from them is of less time")
     for name, unit in (("pressure_drop", "Pa"), ("bed_height", "m"), ("kinetic_energy", "J")):
-        if name not in values or not numpy.isfinite(values[name]).all():
-            report.notes.append(f"/series/{name}: " + ("NaN or infinite values" if name in values else "not there"))
+        if name not in values:
+            report.notes.append(NO_PRESSURE_DROP if name == "pressure_drop" else f"/series/{name}: not there")
+            continue
+        if not numpy.isfinite(values[name]).all():
+            report.notes.append(f"/series/{name}: NaN or infinite values")
             continue
         report.series.append(Quantity(name.replace("_", " "), unit, statistics.mean_with_error(values[name])))
         if name == "pressure_drop":

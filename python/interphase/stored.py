@@ -20,7 +20,7 @@ def open_h5(path):
 
 def word(value):
     """An attribute as text where it is one, else as the number that it is."""
-    if isinstance(value, bytes):
+    if isinstance(value, bytes):  # as runs up to version 0.1 have them
         return value.decode("utf-8", "replace")
     return value.item() if isinstance(value, numpy.generic) else value
 

@@ -122,7 +122,7 @@ class Dictionary(SpoiledCase):
 
     def test_pressure_tap_outside(self):
         self.refused(self.with_edit(COUPLING, r"0\.3461\)\)", "3.461))"), r"\(0\.1143 0\.0381 3\.461\)", "in no cell",
-                     "pressureTaps")  # fmt: skip
+                     r"between \(0 0 0\) and \(0\.2286 0\.0762 1\.2192\) m", "pressureTaps", "or none")  # fmt: skip
 
 
 class UnitSlips(SpoiledCase):

@@ -61,6 +61,24 @@ class Mesh(Paths):
         self.stopped(support.execute(self.case, 2), "no mesh.*processor.*decomposePar")
 
 
+class AsItIsInTheTree(Paths):
+    """A case that nobody has made ready: what it lacks, and the way out, at each stage of doing it by hand."""
+
+    def test_sscp1_without_mesh_without_particles_without_parts(self):
+        shutil.copytree(os.path.join(support.SOURCE, "cases/sscp1"), self.case)
+        ready = f"tools/run {re.escape(os.path.realpath(self.case))}.*prepare.*blockMesh.*decomposePar"
+        self.stopped(support.execute(self.case), f"no mesh.*where: .*constant/polyMesh.*remedy: .*{ready}")
+        gas_box.execute("blockMesh", self.case)
+        self.stopped(support.execute(self.case), f"the script reads `dem/bed.data`, which is not there.*remedy: .*{ready}")
+        self.stopped(support.execute(self.case, 2), "not decomposed.*tools/run --ranks")
+
+    def test_a_file_that_no_program_makes(self):
+        gas_box.write(self.case)
+        script = os.path.join(self.case, "dem/in.liggghts")
+        support.write(script, support.read(script) + "\nread_restart dem/nothing.restart\n")
+        self.stopped(support.execute(self.case), "the script reads `dem/nothing.restart`, which is not there.*remedy: name the file")
+
+
 class CollatedFiles(Paths):
     def test_by_tools_run(self):
         """The fields of the end are put together from the folder of all ranks."""

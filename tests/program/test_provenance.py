@@ -45,7 +45,7 @@ class Provenance(support.ProgramTest):
                     self.check_inputs(file["/meta/inputs"], folder)
 
     def check_program(self, meta):
-        said = {name: bytes(meta[name]).decode() for name in ("version", "commit", "uncommitted_changes", "compiler", "compiler_flags",
+        said = {name: meta[name] for name in ("version", "commit", "uncommitted_changes", "compiler", "compiler_flags",
                                                                "build_type", "versions")}  # fmt: skip
         changed = " with uncommitted changes" if said["uncommitted_changes"] == "yes" else ""
         expected = (f"interphase {said['version']}, commit {said['commit']}{changed}\n"
@@ -63,8 +63,8 @@ class Provenance(support.ProgramTest):
             with open(os.path.join(folder, name), "rb") as stream:
                 content = stream.read()
             self.assertEqual(item.attrs["bytes"], len(content), name)
-            self.assertEqual(bytes(item.attrs["sha256"]).decode(), hashlib.sha256(content).hexdigest(), name)
-            if bytes(item.attrs["kept"]) == b"yes":
+            self.assertEqual(item.attrs["sha256"], hashlib.sha256(content).hexdigest(), name)
+            if item.attrs["kept"] == "yes":
                 self.assertEqual(item[()], content, name)
             else:
                 self.assertNotIn(name, INPUTS)

@@ -112,6 +112,9 @@ class Resume(ResumedMethods, support.ProgramTest):
         self.assertIn("the run goes on from checkpoints/0.015", done.err)
         numpy.testing.assert_allclose(done.column("ledger/time"), vessel.GAS_STEP * numpy.arange(1, 21), atol=1e-9)
         numpy.testing.assert_allclose(done.column("parts/time"), [0, 0.015], atol=1e-9)
+        series = done.column("series/time")
+        self.assertEqual(series[0], 0, "the start has a row")
+        self.assertTrue((numpy.diff(series) > 0).all(), "and none is there twice")
         self.assertEqual(len(done.snapshots()), 2)  # of start and end; that of the first part's end has made way
 
     def test_tools_run_goes_on(self):

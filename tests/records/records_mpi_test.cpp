@@ -30,6 +30,9 @@ TEST(Results, AreReadBackAsTheyWereAdded)
     {
         Results results(world());
         results.describe("/meta", "case", std::string("sscp1"));
+        results.describe("/meta", "nothing", std::string());
+        results.describe("/meta", "method", std::string("a shorter one takes its place"));
+        results.describe("/meta", "method", std::string("W\u00b7d"));
         results.describe("/meta", "weight", 8.0);
         results.describe("/meta", "simulated_time", 0.1);
         results.describe("/meta", "simulated_time", 0.2);  // the later one holds
@@ -50,6 +53,8 @@ TEST(Results, AreReadBackAsTheyWereAdded)
 
     const OpenFile file("results.h5");
     EXPECT_EQ(file.word("/meta", "case"), "sscp1");
+    EXPECT_EQ(file.word("/meta", "nothing"), "");
+    EXPECT_EQ(file.word("/meta", "method"), "W\u00b7d");
     EXPECT_EQ(file.attribute("/meta", "weight"), Scalars{8.0});
     EXPECT_EQ(file.attribute("/meta", "simulated_time"), Scalars{0.2});
     EXPECT_EQ(file.attribute("/meta", "domain"), (Scalars{1, 2, 3, 4, 5, 6}));

@@ -107,13 +107,50 @@ TEST_F(CoupledRunTest, RecordsWhatIsDueWhenItIs)
     if (!world().is_master()) return;  // who wrote the file
     const OpenFile results("results.h5"), particles("particles.h5");
     const Scalars times = results.doubles("/series/time"), ledger = results.doubles("/ledger/time");
-    ASSERT_EQ(times.size(), 5u);
+    ASSERT_EQ(times.size(), 6u);  // with that of the start
     for (std::size_t n = 0; n < times.size(); ++n)
-        EXPECT_NEAR(times[n], 0.02 * static_cast<double>(n + 1), 1e-9);
+        EXPECT_NEAR(times[n], 0.02 * static_cast<double>(n), 1e-9);
     EXPECT_EQ(ledger.size(), 10u);  // one a gas step
     EXPECT_EQ(the_case.written.size(), 2u);
     EXPECT_TRUE(particles.has("/snapshots"));
     EXPECT_NEAR(results.attribute("/meta", "simulated_time").at(0), 0.1, 1e-9);
+}
+
+TEST_F(CoupledRunTest, TheFirstRowIsOfTheStart)
+{
+    says({{"records", Block{{"interval", 0.05}}}});
+    run();
+    if (!world().is_master()) return;
+    const OpenFile results("results.h5");
+    const Scalars lowest = results.doubles("/series/lowest_voidage");
+    EXPECT_LT(lowest.at(0), 1);
+    // in 0.05 s the particle falls by 12 mm, a fortieth of a cell
+    EXPECT_NEAR((1 - lowest.at(0)) / (1 - lowest.at(1)), 1, 0.1);
+    EXPECT_EQ(results.doubles("/series/time").at(0), 0);
+    EXPECT_EQ(results.doubles("/series/particles").at(0), results.doubles("/series/particles").at(1));
+}
+
+TEST_F(CoupledRunTest, RecordsNoPressureDropWithoutTapsAndNothingOfAGasThatIsNotThere)
+{
+    const test::FakeDictionary::Points taps{Vector(0.5, 0.5, 0.5), Vector(0.5, 0.5, 0.7)};
+    struct Scene {
+        const char* model;
+        bool with_taps;
+    };
+    for (const Scene& scene : {Scene{"pimple", true}, Scene{"pimple", false}, Scene{"none", false}}) {
+        Block records{{"interval", 0.05}};
+        if (scene.with_taps) records.emplace_back("pressureTaps", taps);
+        says({{"gas", Block{{"model", scene.model}}}, {"records", records}});
+        the_case.now = 0;
+        run();
+        if (!world().is_master()) continue;
+        const OpenFile results("results.h5");
+        const bool has_gas = std::string(scene.model) != "none";
+        EXPECT_EQ(results.has("/series/pressure_drop"), scene.with_taps);
+        for (const char* name : {"bed_weight_per_area", "lowest_voidage", "highest_voidage", "courant_number"})
+            EXPECT_EQ(results.has(std::string("/series/") + name), has_gas) << name;
+        EXPECT_TRUE(results.has("/series/kinetic_energy"));
+    }
 }
 
 TEST_F(CoupledRunTest, AdjustsTheGasStepToTheCourantNumber)
@@ -152,7 +189,7 @@ TEST_F(CoupledRunTest, TellsTheGasStepInWhichSomethingWentWrongAndKeepsTheRecord
     EXPECT_NE(words.find("in the gas step from t = 0.03 s to 0.04 s"), std::string::npos) << words;
     if (!world().is_master()) return;  // who wrote the file
     const OpenFile results("results.h5");
-    EXPECT_EQ(results.doubles("/series/time").size(), 3u);
+    EXPECT_EQ(results.doubles("/series/time").size(), 4u);  // with that of the start
     EXPECT_NEAR(results.attribute("/meta", "simulated_time").at(0), 0.04, 1e-9);
 }
 
@@ -176,7 +213,7 @@ TEST_F(CoupledRunTest, EndsAfterTheStepInWhichOneRankIsAskedTo)
         EXPECT_EQ(the_case.written.size(), 1u);
         if (!world().is_master()) continue;
         const OpenFile results("results.h5"), particles("particles.h5");
-        EXPECT_EQ(results.doubles("/series/time").size(), 4u);
+        EXPECT_EQ(results.doubles("/series/time").size(), 5u);  // with that of the start
         EXPECT_NEAR(results.attribute("/meta", "simulated_time").at(0), 0.04, 1e-9);
         EXPECT_EQ(results.word("/meta", "stopped_by").substr(0, 3), "SIG");
         EXPECT_TRUE(particles.has("/snapshots/000001"));

@@ -45,11 +45,17 @@ public:
 
     std::string word(const std::string& object, const std::string& name) const
     {
-        const Hdf5Handle attribute(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
-                                   H5Aclose, name);
+        // open while it is read: a text of any length lies elsewhere in its file, to which a link may lead
+        const Hdf5Handle of(H5Oopen(file_, object.c_str(), H5P_DEFAULT), H5Oclose, object);
+        const Hdf5Handle attribute(H5Aopen(of, name.c_str(), H5P_DEFAULT), H5Aclose, name);
         const Hdf5Handle type(H5Aget_type(attribute), H5Tclose, name);
-        std::string value(H5Tget_size(type), '\0');
-        EXPECT_GE(H5Aread(attribute, type, value.data()), 0) << name;
+        EXPECT_GT(H5Tis_variable_str(type), 0) << name << ": h5py would read bytes";
+        EXPECT_EQ(H5Tget_cset(type), H5T_CSET_UTF8) << name;
+        char* words = nullptr;
+        EXPECT_GE(H5Aread(attribute, type, &words), 0) << name;
+        if (!words) return "";
+        std::string value = words;
+        H5free_memory(words);
         return value;
     }
 

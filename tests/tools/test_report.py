@@ -25,9 +25,11 @@ import interphase
 from interphase import bed_statistics, report_scene, report_table, run_report, time_statistics as statistics
 from interphase.box_mesh import BoxMesh, box_mesh
 from interphase.commands import report as report_tool
+from interphase.input_error import InputError
 from interphase.report_keys import KEYS
 from interphase.report_scene import Windows
 from interphase.report_vessel import Vessel
+from interphase.run import Run
 from interphase.start_up import FEWEST, start_up_of, truncation
 from interphase.tree import CASES, TOOLS
 from scratch import InFolder, write, write_results, write_snapshots
@@ -411,6 +413,17 @@ class WholeReport(Folder):
         self.report(self.run_of("one", 30), "--no-write", "--out", path)
         with open(path, "rb") as file:
             self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n")
+
+    def test_without_pressure_taps(self):
+        """The report says what asks for a pressure drop, and so does a script that looks for it."""
+        run = self.run_of("one", 30)
+        with h5py.File(os.path.join(run, "results.h5"), "r+") as file:
+            del file["series/pressure_drop"]
+        text = self.report(run, "--no-write")
+        self.assertIn("the case has no pressure taps", text)
+        self.assertIn("bed height", text)
+        with self.assertRaisesRegex(InputError, r"no pressure taps.*records \{ pressureTaps"):
+            Run(run).series["pressure_drop"]
 
     def test_from_the_command_line(self):
         done = subprocess.run([SCRIPT, self.run_of("one", 30)], capture_output=True, text=True, timeout=120)

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engines/openfoam/foam_errors.hpp"
 
+#include <filesystem>
 #include <regex>
 
 #include "base/user_error.hpp"
+#include "base/way_to_prepare.hpp"
 #include "error.H"
 
 namespace interphase {
@@ -19,13 +21,15 @@ std::string trimmed(const std::string& message)
     return first == std::string::npos ? "" : message.substr(first, last - first + 1);
 }
 
+std::string first_line(const std::string& words) { return words.substr(0, words.find('\n')); }
+
 Problem reworded(const std::string& message, const std::string& where)
 {
     if (message.find("in directory \"polyMesh\"") != std::string::npos)
-        return {"the case has no mesh: " + trimmed(message),
-                "constant/polyMesh, and on several ranks that of each of the processor folders",
-                "make one by blockMesh, snappyHexMesh -overwrite or the like, and decomposePar for several ranks "
-                "(tools/run calls blockMesh and decomposePar)"};
+        return {"the case has no mesh: " + first_line(trimmed(message)),
+                "constant/polyMesh, on several ranks that of each of the processor folders, of " +
+                    std::filesystem::current_path().string(),
+                way_to_prepare()};
     std::smatch found;
     if (!std::regex_search(message, found, missing_object)) return {trimmed(message), where, remedy_for(message)};
     return {"a boundary condition or function object asks for the " + found.str(1) + " `" + found.str(2) +

@@ -178,8 +178,10 @@ double GasFields::pressure_at(const Vector& point) const
     reduce(sums[0], sumOp<scalar>());
     reduce(sums[1], sumOp<scalar>());
     if (sums[1] == 0)
-        throw UserError("the point " + text(point) + " is in no cell of the mesh",
-                        "records/pressureTaps in system/couplingDict", "give points inside the mesh");
+        throw UserError("the pressure tap " + text(point) + " m is in no cell of the mesh, which lies between " +
+                            text(Vector(bounds().col(0))) + " and " + text(Vector(bounds().col(1))) + " m",
+                        "records/pressureTaps in system/couplingDict",
+                        "give two points inside the mesh, or none: then no pressure drop is recorded");
     return sums[0] / sums[1];
 }
 

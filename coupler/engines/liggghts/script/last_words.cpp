@@ -12,11 +12,13 @@
 #include <deque>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <string>
 
 #include "base/stop_together.hpp"
 #include "base/user_error.hpp"
+#include "base/way_to_prepare.hpp"
 #include "comm.h"
 #include "compute.h"
 #include "error.h"
@@ -62,6 +64,16 @@ std::string quoted(const std::deque<std::string>& lines)
     return all;
 }
 
+/// The file that LIGGGHTS says it cannot open, where there is none of that name; empty otherwise.
+std::string missing_file(const std::deque<std::string>& lines)
+{
+    if (lines.empty()) return "";
+    static const std::regex words("ERROR.*Cannot open (?:\\S+ )*?(?:file|script) (\\S+)");
+    std::smatch found;
+    if (!std::regex_search(lines.back(), found, words)) return "";
+    return std::filesystem::exists(found.str(1)) ? "" : found.str(1);
+}
+
 /// What is known once LIGGGHTS has said that it stops, in the script or in a run.
 Problem last_words(bool in_run)
 {
@@ -71,8 +83,17 @@ Problem last_words(bool in_run)
     const std::string log = LastWords::log_name;
     if (own_words.empty()) {
         std::ifstream file(log);
-        problem.what = "LIGGGHTS stopped. The end of " + log + ":" + quoted(last_lines(file));
+        const std::deque<std::string> lines = last_lines(file);
+        problem.what = "LIGGGHTS stopped. The end of " + log + ":" + quoted(lines);
         problem.remedy = "the line before ERROR is the command of the script that it refers to";
+        if (const std::string missing = missing_file(lines); !missing.empty() && !in_run) {
+            problem.what =
+                "the script reads `" + missing + "`, which is not there. The end of " + log + ":" + quoted(lines);
+            problem.where = std::filesystem::current_path().string();
+            problem.remedy = std::filesystem::exists("prepare")
+                                 ? way_to_prepare()
+                                 : "name the file as it is called from there, or put it there";
+        }
     } else {
         std::istringstream own(own_words);
         problem.what = "LIGGGHTS stopped, on one rank only. Its last words there:" + quoted(last_lines(own));
