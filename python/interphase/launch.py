@@ -60,6 +60,7 @@ def as_typed(arguments, variables):
 
 
 def last_lines(path, count=15):
+    """The last `count` lines of a file, each marked, for a message."""
     with open(path, "rb") as stream:
         stream.seek(0, os.SEEK_END)
         stream.seek(max(0, stream.tell() - 20000))
@@ -116,6 +117,7 @@ def liggghts(script, folder, variables=None, plugins=None, ranks=1):
 
 
 def how_it_ended(returncode):
+    """What a return code of subprocess says, in brackets."""
     if returncode >= 0:
         return f"(exit code {returncode})"
     try:
