@@ -20,6 +20,7 @@ class BoxMesh:
 
     @property
     def cell_volume(self):
+        """Of each cell, m3."""
         return math.prod((high - low) / n for low, high, n in zip(self.low, self.high, self.cells))
 
 

@@ -78,6 +78,7 @@ class Dictionaries:
         self._changed |= other._changed
 
     def has(self, file):
+        """Whether the case has the file, by its path from the case folder on."""
         return file in self._texts or os.path.isfile(os.path.join(self.folder, file))
 
     def _files(self):
@@ -88,6 +89,7 @@ class Dictionaries:
         return sorted(found)
 
     def text(self, file):
+        """The file as it is now, changes included; InputError with the nearest name where there is none."""
         if file not in self._texts:
             normal = os.path.normpath(file)
             if os.path.isabs(file) or normal.startswith(".."):
@@ -172,6 +174,7 @@ class Dictionaries:
         self._changed.add(file)
 
     def write_into(self, folder):
+        """Write the files that were changed into `folder`."""
         for file in sorted(self._changed):
             path = os.path.join(folder, file)
             os.makedirs(os.path.dirname(path), exist_ok=True)

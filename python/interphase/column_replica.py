@@ -200,6 +200,7 @@ class Column:
         self.entered = 0.0  # volume of gas [m]
 
     def solid_fraction(self):
+        """Of the cells [cells]."""
         return Weights(self.z, self.dz, self.cells).to_cells(np.full_like(self.z, self.a)) / self.dz
 
     def owed(self):
@@ -207,6 +208,7 @@ class Column:
         return self.gas / self.dz - 1 + self.solid_fraction()
 
     def step(self):
+        """One gas step of `dt` [s]."""
         weights = Weights(self.z, self.dz, self.cells)
         demand = Demand(self, weights, self.solid_fraction())
         u, gradient = self.solve_gas(*demand.cells(self))

@@ -44,10 +44,12 @@ def opened(path, name):
 
 
 def has_particles(source):
+    """Whether a source shows particles: a dump does, a run may not."""
     return source.kind != "run" or source.particles is not None
 
 
 def refuse_unknown(names, known, what):
+    """InputError with the nearest of `known` for a name that is not among them."""
     for name in names:
         if name not in known:
             raise InputError(f"{what} {name}: not in both A and B: {nearest(name, sorted(known))}")
@@ -101,10 +103,12 @@ def numbers(a, b, options):
 
 
 def listed(names):
+    """Names in order, for a message."""
     return ", ".join(sorted(names)) or "nothing"
 
 
 def judged(difference, options, lone_times):
+    """(exit code, verdict) of a `Difference`."""
     if options.same_times and (any(side.count for side in difference.only_times) or any(lone_times)):
         return DIFFERS, "different"
     if difference.bit_equal():
@@ -193,6 +197,7 @@ def _span(times):
 
 
 def note_uneven(times, side, what, notes):
+    """Add to `notes` where samples at `times` [n] are not evenly spaced."""
     spread = statistical_comparison.uneven(times)
     if spread:
         apart = f"{spread[0]:.4g} to {spread[1]:.4g} apart"

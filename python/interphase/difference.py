@@ -37,19 +37,23 @@ class Largest:
 
     @property
     def unit(self):
+        """Of the quantity, "" where it is not known."""
         return UNITS.get(self.name, "")
 
     @property
     def rms(self):
+        """Root mean square over both sides and all that was compared, in the unit."""
         return math.sqrt(self.squares / self.finite) if self.finite else 0.0
 
     @property
     def relative(self):
+        """`size` over `rms`."""
         if self.size == 0:
             return 0.0
         return self.size / self.rms if self.rms > 0 else math.inf
 
     def allowed(self, tolerances):
+        """The larger of both tolerances, in the unit."""
         absolute, relative = tolerances.of(self.name)
         return max(absolute, relative * self.rms)
 
@@ -121,9 +125,11 @@ class Tolerances:
     relative: dict = field(default_factory=dict)
 
     def of(self, name):
+        """(absolute, relative) of a quantity."""
         return tuple(given.get(name, given.get("", 0.0)) for given in (self.absolute, self.relative))
 
     def names(self):
+        """Quantities that are named."""
         return {name for name in (*self.absolute, *self.relative) if name}
 
     def __bool__(self):
@@ -138,6 +144,7 @@ class OneSided:
     examples: list = field(default_factory=list)
 
     def add(self, text, count=1):
+        """Count, and keep the text while there are few."""
         self.count += count
         if len(self.examples) < 5:
             self.examples.append(text)
@@ -163,12 +170,15 @@ class Difference:
     notes: list = field(default_factory=list)
 
     def largest(self, name):
+        """The `Largest` of a quantity, made where there is none yet."""
         return self.quantities.setdefault(name, Largest(name))
 
     def missing_particles(self):
+        """Whether a particle is on one side alone at a common time."""
         return any(side.count for side in self.only_ids)
 
     def bit_equal(self):
+        """Whether nothing differs, periodic images apart."""
         return not self.missing_particles() and not any(q.differing for q in self.quantities.values())
 
     def beyond(self, tolerances):
@@ -176,10 +186,12 @@ class Difference:
         return [q.name for q in self.quantities.values() if q.differing and not q.size <= q.allowed(tolerances)]
 
     def images(self):
+        """How many positions are a whole box length apart."""
         return sum(q.images for q in self.quantities.values())
 
 
 def wanted(name, only):
+    """Whether `name` is chosen by `only`: by itself, or by what stands before its first `/`; all are where that is empty."""
     return not only or name in only or name.split("/")[0] in only
 
 

@@ -16,6 +16,7 @@ LETTERS = {RIGHT: "right", TOLD: "told", FAILED: "**failed**", BEYOND: "-"}
 
 
 def write_csv(path, rows):
+    """The FIELDS of all rows."""
     with open(path, "w", encoding="utf-8", newline="") as file:
         writer = csv.DictWriter(file, FIELDS, extrasaction="ignore")
         writer.writeheader()

@@ -21,12 +21,15 @@ ROWS = 400  # most snapshots of a run
 
 @dataclass(frozen=True)
 class Point:
+    """Of the map: a scene, a method, the solid fraction `phi` and the gas step over the relaxation time, `ratio`."""
+
     scene: str
     method: str
     phi: float
     ratio: float
 
     def name(self):
+        """Of its folder."""
         return f"{self.scene}-{self.method}-{self.phi:g}-{self.ratio:g}"
 
 
@@ -53,6 +56,7 @@ def plan(point):
 
 
 def water(phi):
+    """Spheres of 1 mm and 2000 kg/m3 in water, at the solid fraction `phi`."""
     return Suspension(phi, 1e-3, 2000.0, 1000.0, 1e-3, "WenYu")
 
 

@@ -29,12 +29,14 @@ class File:
             raise InputError(f"{path}: {error}") from None
 
     def complaint(self, name, message):
+        """The InputError that names file, line and entry."""
         entry = self.entry(name)
         known = entry is not None and not isinstance(entry, Dictionary)
         line = f", line {foam_file.line_of(self.text, entry.start)}" if known else ""
         return InputError(f"{self.path}{line}: {name} {message}")
 
     def entry(self, name):
+        """The Entry or Dictionary at `name`, nested by `/`; None where there is none."""
         level = self.root
         for part in name.split("/"):
             found = level.all_named(part) if isinstance(level, Dictionary) else []
@@ -66,6 +68,7 @@ class File:
         return found
 
     def number(self, name, default=None):
+        """The number at `name`, else `default`; InputError where there is neither."""
         words = self.words(name)
         if words is None:
             if default is None:
@@ -80,6 +83,7 @@ class File:
         return value
 
     def whole(self, name, default=None):
+        """The same, a whole number above 0."""
         value = self.number(name, default)
         if value != int(value) or value < 1:
             raise self.complaint(name, f"= {value:g}: a whole number above 0 is expected")
@@ -104,6 +108,7 @@ class File:
         return values
 
     def ascending(self, name, default):
+        """The list at `name`, else `default`; InputError where it does not ascend."""
         values = self.numbers(name, default=default)
         if any(later <= earlier for earlier, later in zip(values, values[1:])):
             raise self.complaint(name, f"= {values}: values must ascend")

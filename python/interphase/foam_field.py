@@ -59,11 +59,19 @@ def internal_field(path, data=None):
         values = numpy.array(found[1].replace(b"(", b" ").replace(b")", b" ").split(), dtype=float).reshape(1, -1)
         kinds = [kind for kind, components in COMPONENTS.items() if components == values.shape[1]]
         return InternalField(kinds[0], values, True)
-    found = re.search(rb"\binternalField\s+nonuniform\s+List<(\w+)>\s*(\d+)\s*([({])", data)
-    if found is None or found[1].decode() not in COMPONENTS:
+    found = re.search(rb"\binternalField\s+nonuniform\s+(?:List<(\w+)>\s*)?(\d+)\s*([({])", data)
+    # A list of nothing, of a rank without cells, is written without its kind.
+    kind = found and (found[1].decode() if found[1] else _kind_by_class(header(data, "class")))
+    if kind not in COMPONENTS:
         raise InputError(f"{path}: no internalField with values of cells or faces")
-    kind, count = found[1].decode(), int(found[2])
+    count = int(found[2])
     return InternalField(kind, _numbers(path, data, found.end(), count, COMPONENTS[kind], found[3] == b"{"), False)
+
+
+def _kind_by_class(name):
+    """`volVectorField` -> vector."""
+    word = re.fullmatch(r"(?:vol|surface)(\w+)Field", name or "")
+    return word and word[1][0].lower() + word[1][1:]
 
 
 def internal_values(path, more=0.0):

@@ -58,6 +58,7 @@ def unquoted(text):
 
 
 def line_of(text, offset):
+    """The number of the line, from 1 on, that holds text[offset]."""
     return text.count("\n", 0, offset) + 1
 
 

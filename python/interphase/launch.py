@@ -60,6 +60,7 @@ def as_typed(arguments, variables):
 
 
 def last_lines(path, count=15):
+    """The last `count` lines of a file, each marked, for a message."""
     with open(path, "rb") as stream:
         stream.seek(0, os.SEEK_END)
         stream.seek(max(0, stream.tell() - 20000))
@@ -100,8 +101,9 @@ def program(name):
     return path
 
 
-def liggghts(script, folder, variables=None, plugins=None, ranks=1):
-    """Run a LIGGGHTS script in `folder` with `variables` {name: value}: by the packaged `liggghts`, or by ours with the `plugins` [name, ...].
+def liggghts(script, folder, variables=None, plugins=None, ranks=1, timeout=None):
+    """Run a LIGGGHTS script in `folder` with `variables` {name: value}: by the packaged `liggghts`, or by ours with the `plugins` [name, ...];
+    `timeout` [s] of wall time.
 
     Returns what it said. StepFailed with the end of that where it fails. A screen is left to it: some scripts crash with `-screen none`.
     """
@@ -109,13 +111,15 @@ def liggghts(script, folder, variables=None, plugins=None, ranks=1):
     words = [*(["mpirun", "-np", str(ranks), "--oversubscribe"] if ranks > 1 else []), *words, "-in", script]
     for name, value in (variables or {}).items():
         words += ["-var", name, f"{value}"]
-    done = subprocess.run(words, cwd=folder, env={**os.environ, **additions(os.environ)}, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+    done = subprocess.run(words, cwd=folder, env={**os.environ, **additions(os.environ)}, stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                          timeout=timeout)  # fmt: skip
     if done.returncode != 0:
         raise StepFailed(f"{' '.join(words)} in {folder} failed {how_it_ended(done.returncode)}:\n{(done.stdout + done.stderr)[-2000:]}")
     return done.stdout
 
 
 def how_it_ended(returncode):
+    """What a return code of subprocess says, in brackets."""
     if returncode >= 0:
         return f"(exit code {returncode})"
     try:

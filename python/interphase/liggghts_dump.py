@@ -68,6 +68,7 @@ class Dump:
             self.files.sort(key=lambda file: (self._first_step(file), file))
 
     def describe(self):
+        """Path, kind and number of files, for a report."""
         many = "1 file" if len(self.files) == 1 else f"{len(self.files)} files"
         return f"{self.path} ({self.kind}, {many})"
 

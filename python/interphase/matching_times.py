@@ -27,6 +27,7 @@ class Matching:
         return None if self.solid_step is None else frame.step * self.solid_step
 
     def key(self, frame):
+        """By what frames are matched: a step, or a time [s]."""
         return frame.step if self.by == "step" else self.time(frame)
 
     def within(self, frame, start, end):
@@ -46,6 +47,7 @@ class Matching:
         return 1e-9 * abs(key) + (0.01 * self.solid_step if self.solid_step else 1e-12)
 
     def label(self, frame):
+        """Names the moment of a frame in messages."""
         at = self.time(frame)
         parts = ([] if at is None else [f"t = {at:.9g} s"]) + ([] if frame.step is None else [f"timestep {frame.step}"])
         return ", ".join(parts)

@@ -22,6 +22,7 @@ def times(folder):
 
 
 def collated(folder):
+    """Names of the folders that hold the parts of several ranks, written by OpenFOAM's `collated` file handler."""
     return _named(folder, COLLATED)
 
 

@@ -37,6 +37,7 @@ def number(value, key, holds=math.isfinite, demand="a finite number"):
 
 
 def positive(value, key):
+    """The number at `key`, which must be above 0."""
     return number(value, key, lambda x: 0 < x < math.inf, "positive")
 
 

@@ -53,10 +53,12 @@ def grid(count, wide, deep, above):
 
 
 def style(at):
+    """Colour and width of the line of the run number `at`."""
     return {"color": COLOURS[at % len(COLOURS)], "linewidth": 1.3}
 
 
 def marker(at):
+    """The mark of the run number `at`."""
     return MARKERS[at % len(MARKERS)]
 
 

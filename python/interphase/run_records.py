@@ -30,6 +30,7 @@ class Records:
         self._meta = results or meta
 
     def describe(self):
+        """Path and files, for a report."""
         parts = [os.path.basename(file) for file in (self.particles, self.results) if file]
         return f"{self.path} ({self.kind}: {', '.join(parts)})"
 

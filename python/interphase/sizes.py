@@ -13,6 +13,7 @@ from interphase.input_error import InputError
 
 
 def real_number(value, what, demand="a positive number"):
+    """`value` where it is finite and above 0; InputError with `what` it is otherwise."""
     if not (math.isfinite(value) and value > 0):
         raise InputError(f"{what} must be {demand}, got {value:g}")
     return value

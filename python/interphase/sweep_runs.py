@@ -44,6 +44,7 @@ class Notes:
         self._what = {"case": case, "files": digest}
 
     def write(self):
+        """sweep.json, whole at any moment."""
         with open(self._path + ".new", "w", encoding="utf-8") as stream:
             json.dump({**self._what, "holes": self.holes}, stream, indent=1)
         os.replace(self._path + ".new", self._path)
@@ -70,6 +71,7 @@ class Sweep:
                 self._pace.setdefault(pace_of(point), []).append(took)
 
     def path(self, point):
+        """Of a point's folder."""
         return os.path.join(self.folder, point.name)
 
     def _found(self, point, retry):
@@ -106,6 +108,7 @@ class Sweep:
         return GO_ON if ending.has_checkpoint(folder) else NEW
 
     def count(self, *which):
+        """How many points stand as one of `which`."""
         return sum(each in which for each in self.stand.values())
 
     @contextlib.contextmanager
@@ -264,6 +267,7 @@ class Sweep:
 
 
 def pace_of(point):
+    """What runs that take about as long per simulated second have in common."""
     return point.case.method, point.case.weight
 
 

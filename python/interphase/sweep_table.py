@@ -52,6 +52,7 @@ class Row:
     cells: dict = field(default_factory=dict)
 
     def label(self):
+        """What is swept, in words."""
         return ", ".join([*(f"{name} = {text}" for name, text in self.values.items()), f"{self.method}, W = {self.weight:g}"])
 
 

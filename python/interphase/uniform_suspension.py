@@ -32,6 +32,7 @@ class Suspension:
 
     @property
     def voidage(self):
+        """1 - phi."""
         return 1 - self.phi
 
     def rate(self, slip):

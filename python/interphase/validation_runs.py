@@ -67,12 +67,14 @@ def _run(command, folder, log):
 
 
 def write(path, text):
+    """The file at `path`, its folder made."""
     os.makedirs(os.path.dirname(path), exist_ok=True)
     with open(path, "w", encoding="utf-8") as stream:
         stream.write(text)
 
 
 def write_case(scene, folder, ranks, end, gas_step, solid_step):
+    """The dictionaries of a case without gas, to `end` [s] by steps of `gas_step` [s]; `solid_step`: what `particles` says of it."""
     head = "FoamFile {{ version 2.0; format ascii; class dictionary; object {}; }}\n"
     write(os.path.join(folder, "system/controlDict"), head.format("controlDict") + (
         f"application interphase; startFrom startTime; startTime 0; stopAt endTime; endTime {end!r}; deltaT {gas_step!r};\n"

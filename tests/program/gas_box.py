@@ -3,7 +3,6 @@
 0.1 mm that falls: what the gas does is that of the gas alone."""
 
 import os
-import subprocess
 
 import support
 
@@ -89,16 +88,8 @@ def write(folder, patches=(), types=(), end=0.004, control="", solution="", dens
     for name, text in dict(files).items():
         _file(folder, name, "uniformDimensionedScalarField" if name.endswith("hRef") else "dictionary", text)
     if mesh:
-        execute("blockMesh", folder)
+        support.must(folder, "blockMesh")
     return folder
-
-
-def execute(program, folder, *arguments):
-    """One of OpenFOAM's programs on the case."""
-    command = [program, "-case", folder, *arguments]
-    done = subprocess.run(command, env=support.environment(), capture_output=True, text=True, timeout=60)
-    if done.returncode != 0:
-        raise AssertionError(f"{' '.join(command)} failed:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
 
 
 def last_line(done, file):

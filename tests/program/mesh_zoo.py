@@ -260,7 +260,7 @@ def decompose(folder, mesh, ranks):
                   f"{len(owner)}\n(\n" + "\n".join(map(str, owner)) + "\n)\n")  # fmt: skip
     meshes.dictionary(folder, "decomposeParDict", f"numberOfSubdomains {ranks}; method manual; manualCoeffs {{ dataFile "
                       '"rankOfCell"; }')  # fmt: skip
-    meshes.tool(folder, "decomposePar", "-force")
+    support.must(folder, "decomposePar", "-force")
 
 
 def solids(folder, mesh, ranks=1):
@@ -336,7 +336,7 @@ def flow_through_refinement():
         folder = support.ProgramTest.prepare("packed-bed", os.path.join(root, "case"), until=0.1)
         for entry, value in (("writeFormat", "ascii"), ("writePrecision", "17")):
             support.ProgramTest.set_entry(folder, "system/controlDict", entry, value)
-        meshes.tool(folder, "blockMesh")
+        support.must(folder, "blockMesh")
         cell = 2 * A
         middle = 13 * cell  # of 3 + 20 + 3 cells
         meshes.refine(folder, meshes.below(middle + 1e-6))

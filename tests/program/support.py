@@ -109,6 +109,14 @@ def start(folder, ranks=1, options=(), **changes):
     )
 
 
+def must(folder, *command):
+    """What a program said that is run in `folder` and must end well."""
+    done = subprocess.run(command, cwd=folder, env=environment(), stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=LONGEST)
+    if done.returncode != 0:
+        raise AssertionError(f"{' '.join(command)} failed:\n{(done.stdout + done.stderr)[-4000:]}")
+    return done.stdout
+
+
 def tool(name, *words, timeout=LONGEST, program=None, **changes):
     """tools/`name`, or a program of a case by its path, with the interphase that was built: a CompletedProcess."""
     return subprocess.run(

@@ -35,7 +35,7 @@ class EndTime(support.ProgramTest):
         script = os.path.join(folder, "dem/in.liggghts")
         support.write(script, support.read(script) + OUTPUTS)
         if ranks > 1:
-            gas_box.execute("decomposePar", folder)
+            support.must(folder, "decomposePar")
         return self.run_case(folder, ranks)
 
     def check(self, done, end):

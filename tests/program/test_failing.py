@@ -27,7 +27,7 @@ class Failing(support.ProgramTest):
     def setUpClass(cls):
         super().setUpClass()
         cls.sound = gas_box.write(os.path.join(cls.shared, "sound"), end=0.02)
-        gas_box.execute("decomposePar", cls.sound)
+        support.must(cls.sound, "decomposePar")
 
     def scene(self, how=None, rank=-1, step=55):
         folder = self.copied(self.sound, f"case{len(os.listdir(self.root))}")

@@ -7,7 +7,6 @@ time under the new case's boundaries, and what does not fit is refused with the 
 
 import os
 import shutil
-import subprocess
 import unittest
 
 import numpy
@@ -111,8 +110,7 @@ class TestOtherMethods(StartingRuns):
         self.assertIn("U, p_rgh, phi", told["gas"])
         scene = os.path.join(self.root, "scene")
         support.write(scene, "overlaps { shares (0.01); percentiles (50); }\n")
-        done = subprocess.run(
-            [os.path.join(support.TOOLS, "report"), new, "--scene", scene, "--no-write"], capture_output=True, text=True, timeout=60)
+        done = support.tool("report", new, "--scene", scene, "--no-write")
         self.assertIn(f"note: new: starts from t = 0.1 s of {self.hard} (TDHS, results.h5 of sha256 {told['results_sha256'][:12]})", done.stdout + done.stderr)
 
     def test_parcels_of_the_same_weight(self):

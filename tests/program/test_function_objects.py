@@ -83,7 +83,7 @@ class FunctionObjects(support.ProgramTest):
         shutil.rmtree(folder, ignore_errors=True)
         gas_box.write(folder, control=functions(chosen), end=0.002, **scene)
         if ranks > 1:
-            gas_box.execute("decomposePar", folder)
+            support.must(folder, "decomposePar")
         return support.execute(folder, ranks, timeout=60)
 
     def test_they_work(self):

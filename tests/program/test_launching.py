@@ -42,7 +42,7 @@ class Launching(support.ProgramTest):
 
     def case(self, end=0.002):
         folder = gas_box.write(os.path.join(self.root, f"case{len(os.listdir(self.root))}"), end=end)
-        gas_box.execute("decomposePar", folder)
+        support.must(folder, "decomposePar")
         return folder
 
     def batch(self, folder, **changes):
@@ -118,7 +118,7 @@ class Launching(support.ProgramTest):
         """As it stands there, variables included, by a user who has set none: as root Open MPI wants two."""
         line = re.search(r"^    (.*mpirun -n 4 build/release/interphase -parallel -case DIR)$", support.read(support.SOURCE, "README.md"), re.M)
         folder = self.case()
-        gas_box.execute("decomposePar", self.four(folder), "-force")
+        support.must(self.four(folder), "decomposePar", "-force")
         command = line.group(1).replace("build/release/interphase", support.PROGRAM).replace("DIR", folder)
         done = subprocess.run(["bash", "-c", command], capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=60,
                               env=support.environment(OMPI_ALLOW_RUN_AS_ROOT=None, OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=None, WM_PROJECT_DIR=None,

@@ -11,14 +11,13 @@ and with walls. `tools/compare` judges; that it would notice is shown with anoth
 import math
 import os
 import shutil
-import subprocess
 import unittest
 
 import numpy
 
 import measured
 import support
-from interphase import data_file
+from interphase import data_file, launch
 
 STEPS = 10000
 SOLID_STEP = 1.7e-5  # [s], t_c/21
@@ -111,16 +110,7 @@ class NativeDem(support.ProgramTest):
         """The dump that the packaged binary writes."""
         folder = os.path.join(cls.shared, f"native{ranks}")
         given = cls.scene(folder, suffix=f"timestep {SOLID_STEP!r}\nrun {STEPS}\n")
-        command = ["liggghts", "-in", "dem/in.liggghts", "-screen", "none", "-var", "weight", "1"]
-        for name, value in given.items():
-            command += ["-var", name, repr(value)]
-        if ranks > 1:
-            command = ["mpirun", "-np", str(ranks), "--oversubscribe", *command]
-        done = subprocess.run(
-            command, cwd=folder, env=support.environment(), capture_output=True, text=True, timeout=support.LONGEST
-        )
-        if done.returncode != 0:
-            raise AssertionError(f"liggghts failed:\n{done.stdout[-3000:]}{done.stderr[-3000:]}")
+        launch.liggghts("dem/in.liggghts", folder, {"weight": 1, **given}, ranks=ranks, timeout=support.LONGEST)
         return os.path.join(folder, "dem/record.dump")
 
     def coupled(self, ranks, **changed):
@@ -139,9 +129,7 @@ class NativeDem(support.ProgramTest):
         return os.path.join(folder, "dem/record.dump")
 
     def compare(self, a, b):
-        return subprocess.run(
-            [os.path.join(support.TOOLS, "compare"), a, b, "--same-times"], capture_output=True, text=True
-        )
+        return support.tool("compare", a, b, "--same-times")
 
     def assert_bit_equal(self, ranks):
         coupled = self.coupled(ranks)

@@ -55,7 +55,7 @@ class Mesh(Paths):
 
     def test_none_of_the_parts(self):
         gas_box.write(self.case)
-        gas_box.execute("decomposePar", self.case)
+        support.must(self.case, "decomposePar")
         for part in ("processor0", "processor1"):
             shutil.rmtree(os.path.join(self.case, part, "constant"))
         self.stopped(support.execute(self.case, 2), "no mesh.*processor.*decomposePar")
@@ -91,7 +91,7 @@ class CollatedFiles(Paths):
 
     def test_wrong_number_of_ranks(self):
         gas_box.write(self.case, control=COLLATED)
-        gas_box.execute("decomposePar", self.case)
+        support.must(self.case, "decomposePar")
         self.stopped(support.execute(self.case, 3), "decomposed into 2 parts.*3 ranks.*start 2 ranks")
 
 
@@ -109,7 +109,7 @@ class Names(Paths):
 
     def test_a_link_without_them(self):
         folder = gas_box.write(os.path.join(self.root, "plain"), end=0.001)
-        gas_box.execute("decomposePar", folder)
+        support.must(folder, "decomposePar")
         os.rename(folder, os.path.join(self.root, "my box"))
         link = os.path.join(self.root, "link")
         os.symlink(os.path.join(self.root, "my box"), link)

@@ -71,7 +71,7 @@ class UnsolvedFiles(support.ProgramTest):
                     os.remove(os.path.join(self.folder, file))
 
     def test_once_on_two_ranks(self):
-        gas_box.execute("decomposePar", self.folder)
+        support.must(self.folder, "decomposePar")
         support.write(os.path.join(self.folder, "constant/MRFProperties"), HEAD + REFUSED["constant/MRFProperties"][0])
         self.refused("rotating frames", 2)
 

@@ -6,22 +6,12 @@ Sizes in m. Walls are patches of type wall. The folder has system/controlDict, a
 
 import itertools
 import os
-import subprocess
 
 import foam_mesh
 import numpy
 import support
 
 AXES = "xyz"
-
-
-def tool(folder, *command):
-    """One of OpenFOAM's programs in `folder`."""
-    done = subprocess.run([*command], cwd=folder, env=support.environment(), stdin=subprocess.DEVNULL,
-                          capture_output=True, text=True)  # fmt: skip
-    if done.returncode != 0:
-        raise AssertionError(f"{' '.join(command)} failed:\n{(done.stdout + done.stderr)[-3000:]}")
-    return done.stdout
 
 
 def dictionary(folder, name, text):
@@ -51,7 +41,7 @@ def box(folder, size, cells, grading=("1", "1", "1"), periodic="", unresolved=""
     dictionary(folder, "blockMeshDict", "scale 1; edges ();\nvertices ({});\nblocks (hex (0 1 2 3 4 5 6 7) ({} {} {}) "
                "simpleGrading ({} {} {}));\nboundary (\n{});".format(
                    " ".join(vector(numpy.multiply(c, size)) for c in corners), *cells, *grading, patches))  # fmt: skip
-    tool(folder, "blockMesh")
+    support.must(folder, "blockMesh")
 
 
 def refine(folder, selection):
@@ -59,12 +49,12 @@ def refine(folder, selection):
     choose(folder, selection)
     dictionary(folder, "refineMeshDict", "set chosen; coordinateSystem global; globalCoeffs { tan1 (1 0 0); tan2 (0 1 0); } "
                "directions (tan1 tan2 normal); useHexTopology yes; geometricCut no; writeMesh no;")  # fmt: skip
-    tool(folder, "refineMesh", "-overwrite", "-dict", "system/refineMeshDict")
+    support.must(folder, "refineMesh", "-overwrite", "-dict", "system/refineMeshDict")
 
 
 def choose(folder, selection, kind="cell"):
     dictionary(folder, "topoSetDict", f"actions ({{ name chosen; type {kind}Set; action new; {selection} }});")
-    tool(folder, "topoSet")
+    support.must(folder, "topoSet")
 
 
 def below(height):
@@ -75,7 +65,7 @@ def refine_to_spot(folder, centre, radii):
     """Halves the cells within each radius [m], one after another; neighbours stay within 2:1."""
     for radius in radii:
         choose(folder, f"source sphereToCell; centre {vector(centre)}; origin {vector(centre)}; radius {float(radius)!r};")
-        tool(folder, "refineHexMesh", "-overwrite", "chosen")
+        support.must(folder, "refineHexMesh", "-overwrite", "chosen")
 
 
 def grid(size, cells, shaken, seed=5):
@@ -106,7 +96,7 @@ def tetrahedra(folder, size, cells, shaken=0.15):
 def polyhedra(folder, size, cells):
     """The dual of tetrahedra."""
     tetrahedra(folder, size, cells)
-    tool(folder, "polyDualMesh", "-overwrite", "60")
+    support.must(folder, "polyDualMesh", "-overwrite", "60")
 
 
 def prisms(folder, size, cells, shaken=0.15):
@@ -142,7 +132,7 @@ def o_grid(folder, radius, height, across, around_core, layers):
     dictionary(folder, "blockMeshDict", "scale 1;\nvertices ({});\nedges ({});\nblocks ({});\nboundary (shell {{ type wall; "
                "faces ({}); }});\ndefaultPatch {{ name ends; type wall; }}".format(
                    " ".join(map(vector, vertices)), " ".join(arcs), "\n".join(blocks), " ".join(walls)))  # fmt: skip
-    tool(folder, "blockMesh")
+    support.must(folder, "blockMesh")
 
 
 def wedge(folder, radius, height, cells, angle):
@@ -154,7 +144,7 @@ def wedge(folder, radius, height, cells, angle):
                "((0 3 5 2)); }} shell {{ type wall; faces ((1 2 5 4) (0 2 1 0) (3 4 5 3)); }} "
                "axis {{ type empty; faces ((0 3 3 0)); }});".format(
                    " ".join(map(vector, vertices)), *cells))  # fmt: skip
-    tool(folder, "blockMesh")
+    support.must(folder, "blockMesh")
 
 
 def snapped_cylinder(folder, radius, height, cell):
@@ -166,7 +156,7 @@ def snapped_cylinder(folder, radius, height, cell):
     dictionary(folder, "blockMeshDict", "scale 1; edges ();\nvertices ({});\nblocks (hex (0 1 2 3 4 5 6 7) ({} {} {}) "
                "simpleGrading (1 1 1));\nboundary ();\ndefaultPatch {{ name ends; type wall; }}".format(
                    " ".join(vector((x * half, y * half, z)) for x, y, z in corners), n, n, m))  # fmt: skip
-    tool(folder, "blockMesh")
+    support.must(folder, "blockMesh")
     dictionary(folder, "snappyHexMeshDict", f"""
 castellatedMesh true; snap true; addLayers false;
 geometry {{ shell {{ type searchableCylinder; point1 (0 0 {-height!r}); point2 (0 0 {2 * height!r}); radius {radius!r}; }} }}
@@ -191,7 +181,7 @@ meshQualityControls
     nSmoothScale 4; errorReduction 0.75;
 }}
 mergeTolerance 1e-6;""")
-    tool(folder, "snappyHexMesh", "-overwrite")
+    support.must(folder, "snappyHexMesh", "-overwrite")
 
 
 def baffle(folder, x, low=(-1, -1), high=(1, 1), joined=False):
@@ -201,11 +191,11 @@ def baffle(folder, x, low=(-1, -1), high=(1, 1), joined=False):
     dictionary(folder, "topoSetDict", "actions ("
                f"{{ name plane; type faceSet; action new; source boxToFace; box {box_}; }}"
                "{ name plane; type faceZoneSet; action new; source setToFaceZone; faceSet plane; });")  # fmt: skip
-    tool(folder, "topoSet")
+    support.must(folder, "topoSet")
     halves = "".join(
         f"{half} {{ name {half}; type cyclic; neighbourPatch {other}; }}" if joined else f"{half} {{ name baffle; type wall; }}"
         for half, other in (("master", "slave"), ("slave", "master"))
     )
     dictionary(folder, "createBafflesDict", "internalFacesOnly true; baffles { plane { type faceZone; zoneName plane; patches "
                f"{{ {halves} }} }} }}")  # fmt: skip
-    tool(folder, "createBaffles", "-overwrite")
+    support.must(folder, "createBaffles", "-overwrite")

@@ -3,13 +3,12 @@
 
 import math
 import os
-import subprocess
 
 import numpy
 from scipy.spatial import cKDTree
 
 import support
-from interphase import data_file
+from interphase import data_file, launch
 
 # of cases/sscp1
 DIAMETER, DENSITY, STIFFNESS, RESTITUTION = 3.256e-3, 1131.0, 800.0, 0.84
@@ -107,21 +106,10 @@ class Bed:
         self.write(os.path.join(folder, "bed.data"))
         support.write(os.path.join(folder, "in.liggghts"), SCRIPT)
         steps = round(seconds / step)
-        command = [os.path.join(support.BUILD, "interphase-liggghts"), "-plugin",
-                   os.path.join(support.BUILD, "plugins", "libhard_sphere.so"), "-in", "in.liggghts", "-screen", "none"]  # fmt: skip
         given = {"width": self.width, "depth": self.depth, "solidStep": step, "steps": steps,
                  "every": max(1, round(0.005 / step)), "skin": 0.6 * self.diameters.max(),
                  "sortSize": 1.5 * self.diameters.max(), "words": words}  # fmt: skip
-        for name, value in given.items():
-            command += ["-var", name, f"{value}"]
-        if ranks > 1:
-            command = ["mpirun", "--oversubscribe", "-np", str(ranks), *command]
-        done = subprocess.run(
-            command, cwd=folder, env=support.environment(), stdin=subprocess.DEVNULL, capture_output=True, text=True,
-            timeout=timeout,
-        )  # fmt: skip
-        if done.returncode != 0:
-            raise AssertionError(f"LIGGGHTS on {ranks} ranks ended with {done.returncode}:\n{(done.stdout + done.stderr)[-4000:]}")
+        launch.liggghts("in.liggghts", folder, given, ["hard_sphere"], ranks, timeout)
         return Lying(folder)
 
 

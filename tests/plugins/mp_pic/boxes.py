@@ -2,7 +2,6 @@
 """Closed boxes of parcels in a fluid, run by interphase with the plug-in mp_pic (or another integrator for comparison)."""
 
 import os
-import subprocess
 
 import numpy
 
@@ -88,9 +87,7 @@ class Box:
         support.write(os.path.join(folder, "dem/in.liggghts"), self.script())
         support.write(os.path.join(folder, "dem/parcels.data"), self.data())
         for command in ["blockMesh"] + (["decomposePar"] if ranks > 1 else []):
-            done = subprocess.run([command, "-case", folder], env=support.environment(), capture_output=True, text=True)
-            if done.returncode != 0:
-                raise AssertionError(done.stdout[-2000:] + done.stderr)
+            support.must(folder, command)
         return folder
 
 
