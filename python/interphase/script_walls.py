@@ -91,6 +91,8 @@ def read(folder):
                 notes.append(f"wall {name} is not drawn: {' '.join(words[words.index('primitive'):])}")
             else:
                 primitives.append(primitive)
+        elif words[0].startswith("wall/") and not _meshes_of(words):
+            notes.append(f"wall {name} is not drawn: {' '.join(words)}")
     return ScriptWalls(tuple(surfaces), tuple(primitives), tuple(notes))
 
 
