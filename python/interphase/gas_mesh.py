@@ -7,8 +7,9 @@ from dataclasses import dataclass
 
 import numpy
 
-from interphase import foam_field, gas_fields
+from interphase import foam_field
 from interphase.input_error import InputError
+from interphase.parts import times
 
 MESH = os.path.join("constant", "polyMesh")
 # Patches of one layer of cells in y, or that join pieces: no place where the vessel ends.
@@ -148,9 +149,9 @@ def polygons(mesh, section):
 def closed_patches(folder):
     """Names of patches that gas does not pass though they are of no type wall, by the conditions of the velocity that was written last; those of
     0/U, where names may be patterns, are what the case asks for. () where none is read."""
-    times = sorted(((time, os.path.join(base, name)) for base in [folder, *ranks(folder)[:1]] for name, time in gas_fields.times(base).items()),
-                   reverse=True)  # fmt: skip
-    path = next(filter(None, (foam_field.path_of(each, "U") for _, each in times)), None)
+    written = sorted(((time, os.path.join(base, name)) for base in [folder, *ranks(folder)[:1]] for name, time in times(base).items()),
+                     reverse=True)  # fmt: skip
+    path = next(filter(None, (foam_field.path_of(each, "U") for _, each in written)), None)
     conditions = foam_field.content(path).partition(b"boundaryField")[2] if path else b""
     found = re.findall(rb'([^\s{}"]+)"?\s*\{\s*type\s+(\w+)\s*;', conditions)
     return tuple(name.decode("utf-8", "replace") for name, kind in found if kind.decode() in CLOSED)

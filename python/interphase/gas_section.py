@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy
 
-from interphase import foam_field, gas_fields, gas_mesh
+from interphase import foam_field, gas_mesh, parts
 from interphase.input_error import InputError
 
 SAME_TIME = 1e-6  # relative: folders are named with few digits
@@ -32,15 +32,15 @@ class GasSections:
     def times(self, field):
         """{time [s]: folders that together hold `field` at it}, ascending."""
         found = {}
-        parts = gas_mesh.ranks(self.folder)
-        for name, time in gas_fields.times(parts[0]).items() if parts else ():
-            if all(foam_field.path_of(os.path.join(part, name), field) for part in parts):
-                found[time] = [os.path.join(part, name) for part in parts]
-        for name, time in gas_fields.times(self.folder).items():
+        ranks = gas_mesh.ranks(self.folder)
+        for name, time in parts.times(ranks[0]).items() if ranks else ():
+            if all(foam_field.path_of(os.path.join(rank, name), field) for rank in ranks):
+                found[time] = [os.path.join(rank, name) for rank in ranks]
+        for name, time in parts.times(self.folder).items():
             if foam_field.path_of(os.path.join(self.folder, name), field) and gas_mesh.pieces(self.folder) == [self.folder]:
                 found[time] = [os.path.join(self.folder, name)]
-        for time in sorted(found)[:1]:
-            # The start is what the case asks for, maybe in the words of its `parameters`.
+        for time in {min(found, default=None), max(found, default=None)} - {None}:
+            # The start is what the case asks for, maybe in the words of its `parameters`; the last one may still be being written.
             if not all(_has_values(foam_field.path_of(folder, field)) for folder in found[time]):
                 del found[time]
         return dict(sorted(found.items()))
@@ -49,13 +49,15 @@ class GasSections:
         """The `Section` of `field` at the time that is nearest to `time` [s]; InputError where it was never written."""
         there = self.times(field)
         if not there:
+            if parts.collated(self.folder):
+                raise InputError(f"{self.folder}: the gas is in the pieces of its ranks, collated: reconstructPar -case {self.folder} puts them together")
             raise InputError(f"{self.folder}: no {field} of the gas was written; writeInterval in system/controlDict asks for it, and a mesh must be "
                              "beside it")  # fmt: skip
         chosen = min(there, key=lambda each: abs(each - time))
-        parts = [self._part(folder, field) for folder in there[chosen]]
-        polygons = [each for part in parts for each in part[0]]
+        found = [self._part(folder, field) for folder in there[chosen]]
+        polygons = [each for part in found for each in part[0]]
         middles = numpy.array([each.mean(axis=0) for each in polygons]).reshape(-1, 2)
-        return Section(chosen, polygons, middles, numpy.concatenate([part[1] for part in parts]))
+        return Section(chosen, polygons, middles, numpy.concatenate([part[1] for part in found]))
 
     def _part(self, folder, field):
         base = os.path.dirname(folder)

@@ -38,9 +38,9 @@ class Colours:
 class Picture:
     """`scenes` with the `Shown` of each; `colours` of the spheres and, where `gas` names a quantity, `gas_colours`."""
 
-    def __init__(self, scenes, shown, view, closed, colours, gas=None, gas_colours=None, curves=(), profile=None):
-        """`profile`: (height, pressure, the law's or None) of a packing that is held, as picture_law.profile gives it."""
-        self.profile = profile
+    def __init__(self, scenes, shown, view, closed, colours, gas=None, gas_colours=None, curves=(), profile=None, highest=sizes.HIGHEST):
+        """`profile`: (height, pressure, the law's or None) of a packing that is held, as picture_law.profile gives it; `highest`: of all panels, in inches."""
+        self.profile, self.highest = profile, highest
         self.scenes, self.shown, self.view, self.closed = scenes, shown, view, closed
         self.colours, self.gas, self.gas_colours, self.curves = colours, gas, gas_colours, curves
 
@@ -48,7 +48,7 @@ class Picture:
         plt.rcParams.update(FONT)
         left, right, bottom, top = self.limits = picture_panels.with_margin(self.view, self.closed)
         aspect = (top - bottom) / max(right - left, 1e-12)
-        plan = sizes.layout(max(len(each) for each in self.shown), self.gas is not None, len(self.scenes), aspect, self.profile is not None)
+        plan = sizes.layout(max(len(each) for each in self.shown), self.gas is not None, len(self.scenes), aspect, self.profile is not None, self.highest)
         heads = [self._head(scene, plan) for scene in self.scenes]
         strips = [sum(size * 1.0 for _, size in head) + 0.18 + plan.rows * (sizes.TIME + plan.height) + sizes.TICKS for head in heads]
         below = sizes.CURVES + sizes.ABOVE_CURVES + sizes.BELOW_CURVES if self.curves else 0.1

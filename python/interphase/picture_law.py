@@ -15,7 +15,7 @@ NUMBERS = ("gasDensity", "gasViscosity", "gravity")
 
 
 def fall(scene, at):
-    """(words, terminal velocity [m/s], velocity [n] at the snapshots' times or None) of particle `at` of the first snapshot: by its weight,
+    """(name of the law, terminal velocity [m/s], velocity [n] at the snapshots' times or None) of particle `at` of the first snapshot: by its weight,
     buoyancy and the drag law, alone in the gas. None where law or numbers are not known.
 
     The velocity on the way is known where the gas is held uniform and drag is the only term.
@@ -44,7 +44,7 @@ def fall(scene, at):
         start = float(first.velocities[at, 2])
         on_the_way = solve_ivp(lambda _, v: [rate(v[0], gas)], (scene.times[0], scene.times[-1]), [start], method="LSODA",
                                t_eval=scene.times, rtol=1e-8, atol=1e-10).y[0]  # fmt: skip
-    return law, terminal, on_the_way
+    return law if gas is not None else f"{law} in gas at rest", terminal, on_the_way
 
 
 def _settings(scene):
@@ -71,24 +71,30 @@ def _held_velocity(scene):
     return float(field.values[0, 2]) if field.uniform and field.values.shape[1] == 3 else None
 
 
-def profile(scene, section, pressure):
-    """(height [n] of layers of cells, m, their mean pressure [n], the law's [n] or None, both above the uppermost's, Pa) in the cells that are cut.
+def profile(scene, voidage, pressure, velocity):
+    """(height [n] of layers of cells, m, their mean pressure [n], the law's [n] or None, both above the uppermost's, Pa) of three `Section`s of
+    the same time.
 
-    The law's is of steady flow of the case's inletVelocity [m/s, superficial] through particles at rest,
-    eps dp/dz = -18 mu (1 - eps) F U/d^2 with the voidage of each layer. It is the run's in the middle layer: at the ends of a packing, where
-    the voidage changes within a cell, a layer's mean is not what drag is made of.
+    The law's is of steady flow through particles at rest, eps dp/dz = -18 mu (1 - eps) F U/d^2 with the voidage of each layer and its superficial
+    velocity U, the mean of eps u_z. It is the run's in the middle layer: at the ends of a packing, where the voidage changes within a cell, a
+    layer's mean is not what drag is made of.
     """
-    layers, which, count = numpy.unique(numpy.round(section.middles[:, 1], 9), return_inverse=True, return_counts=True)
-    voidage = numpy.bincount(which, section.values) / count
-    mean = numpy.bincount(which, pressure.values) / count
-    mean -= mean[-1]
-    law, velocity = scene.meta.get("drag_law"), scene.number("inletVelocity")
+    layers, which, count = numpy.unique(numpy.round(voidage.middles[:, 1], 9), return_inverse=True, return_counts=True)
+
+    def mean(values):
+        return numpy.bincount(which, values) / count
+
+    by_run = mean(pressure.values)
+    by_run -= by_run[-1]
+    law = LAWS.get(scene.meta.get("drag_law"))
     density, viscosity, diameter = (scene.number(name) for name in ("gasDensity", "gasViscosity", "diameter"))
-    if law not in LAWS or None in (velocity, density, viscosity, diameter):
-        return layers, mean, None
-    reynolds = density * velocity * diameter / viscosity
-    slope = numpy.array([-18 * viscosity * (1 - eps) * LAWS[law](eps, reynolds) * velocity / (eps * diameter**2) if eps < 1 - 1e-6 else 0.0
-                         for eps in voidage])  # fmt: skip
+    if law is None or None in (density, viscosity, diameter):
+        return layers, by_run, None
+    slope = numpy.zeros(len(layers))
+    for n, (eps, superficial) in enumerate(zip(mean(voidage.values), mean(voidage.values * velocity.values[:, 2]))):
+        if eps < 1 - 1e-6:
+            reynolds = density * abs(superficial) * diameter / viscosity
+            slope[n] = -18 * viscosity * (1 - eps) * law(eps, reynolds) * superficial / (eps * diameter**2)
     by_law = numpy.concatenate([[0.0], numpy.cumsum(numpy.diff(layers) * (slope[1:] + slope[:-1]) / 2)])
     middle = len(layers) // 2
-    return layers, mean, by_law - by_law[middle] + mean[middle]
+    return layers, by_run, by_law - by_law[middle] + by_run[middle]

@@ -47,15 +47,15 @@ class Layout:
         return LEFT + (self.strip - self.inside) / 2 + number * (self.room + GAP) + (self.room - self.width) / 2
 
 
-def layout(times, gas, runs, aspect, profile=False):
+def layout(times, gas, runs, aspect, profile=False, highest=HIGHEST):
     """For `times` snapshots of each of `runs`, with a panel of the gas for each where `gas`; `aspect`: height over width of a panel;
-    `profile`: whether a profile stands at the right."""
+    `profile`: whether a profile stands at the right; `highest`: of all panels together."""
     beside = gas and aspect >= BESIDE
     across = times * (2 if beside else 1)
     rows = 2 if gas and not beside else 1
     width = {1: 4.2, 2: 2.9, 3: 2.4, 4: 2.1}.get(across, max(9.6 / across, 1.15))
     height = width * aspect
-    highest = HIGHEST / (rows * runs)
+    highest /= rows * runs
     if not 1.2 <= height <= highest:  # a flat box or a tall column
         height = min(max(height, min(1.2, highest)), highest)
         width = min(height / aspect, 12.0 / across)

@@ -19,12 +19,15 @@ PRIMITIVES = {"xplane": 1, "yplane": 1, "zplane": 1, "xcylinder": 3, "ycylinder"
 @dataclass(frozen=True)
 class Surface:
     """A mesh of triangles [n, 3, 3], m, where it starts. `wall`: particles bounce off it; others let them in or out.
-    `motion`: the words of move/mesh, () at rest."""
+    `motion`: the words of move/mesh, () at rest. `file`: its STL file from the run's folder on, to which `scale` and `move` [m] were done."""
 
     name: str
     triangles: numpy.ndarray
     wall: bool
     motion: tuple = ()
+    file: str = ""
+    scale: float = 1.0
+    move: tuple = (0.0, 0.0, 0.0)
 
     def at(self, elapsed):
         """The triangles [n, 3, 3] at `elapsed` [s] after it was made; where they start, if `known` is False."""
@@ -68,14 +71,17 @@ def read(folder):
     for name, words in fixes.items():
         if words[0].startswith("mesh/surface"):
             try:
-                triangles = _triangles(folder, words)
+                file, scale, move = _placed(words)
+                triangles = read_stl(os.path.join(folder, file)) * scale + numpy.array(move)
+                if not len(triangles):
+                    raise InputError(f"{file} holds no triangles")
             except InputError as error:
                 notes.append(f"{name} is not drawn: {error}")
                 continue
             # Motions add up in LIGGGHTS; of two, none is followed.
             moves = motions.get(name, [])
             motion = tuple(moves[0][moves[0].index("mesh") + 2:]) if len(moves) == 1 else ("several",) * bool(moves)
-            surface = Surface(name, triangles, name in walls, motion)
+            surface = Surface(name, triangles, name in walls, motion, file, scale, move)
             if not surface.known:
                 notes.append(f"{name} moves ({' '.join(motion)}): drawn where it starts")
             surfaces.append(surface)
@@ -85,6 +91,8 @@ def read(folder):
                 notes.append(f"wall {name} is not drawn: {' '.join(words[words.index('primitive'):])}")
             else:
                 primitives.append(primitive)
+        elif words[0].startswith("wall/") and not _meshes_of(words):
+            notes.append(f"wall {name} is not drawn: {' '.join(words)}")
     return ScriptWalls(tuple(surfaces), tuple(primitives), tuple(notes))
 
 
@@ -109,8 +117,9 @@ def _meshes_of(words):
     return words[at:at + int(count)] if count.isdigit() else []
 
 
-def _triangles(folder, words):
-    """Of mesh/surface file F type N [scale S | move X Y Z]. In which order LIGGGHTS does more than one of these is not relied on."""
+def _placed(words):
+    """(file, scale, move) of mesh/surface file F type N [scale S | move X Y Z]. In which order LIGGGHTS does more than one of these is not relied
+    on."""
     if "file" not in words[:-1]:
         raise InputError("its command names no file")
     name = words[words.index("file") + 1]
@@ -119,15 +128,12 @@ def _triangles(folder, words):
         raise InputError(f"placed by {' and '.join(changes)}; one of scale and move is understood")
     if not name.lower().endswith(".stl"):
         raise InputError(f"{name} is no .stl file")
-    triangles = read_stl(os.path.join(folder, name))
-    if not len(triangles):
-        raise InputError(f"{name} holds no triangles")
-    if "scale" in changes:
-        return triangles * float(words[words.index("scale") + 1])
-    if "move" in changes:
-        at = words.index("move") + 1
-        return triangles + numpy.array(words[at:at + 3], dtype=float)
-    return triangles
+    try:
+        scale = float(words[words.index("scale") + 1]) if "scale" in changes else 1.0
+        move = tuple(float(word) for word in words[words.index("move") + 1:][:3]) if "move" in changes else (0.0, 0.0, 0.0)
+    except (ValueError, IndexError):
+        raise InputError(f"its place is not understood: {' '.join(words)}") from None
+    return name, scale, move
 
 
 def _primitive(words):

@@ -11,6 +11,9 @@ import os
 import subprocess
 import unittest
 
+import numpy
+from scipy.spatial import cKDTree
+
 import support
 import vessel
 
@@ -115,6 +118,41 @@ class OpenedInParaView(support.ProgramTest):
         self.assertGreater(drawn, 0.1)
         self.assertLess(drawn, 0.6)
         self.assertGreater(len({tuple(p) for p in (pixels[::7, ::7].reshape(-1, 3) * 255).astype(int)}), 20)  # colours
+        self.by_script(done, ranks)
+
+    def by_script(self, done, ranks):
+        """tools/paraview: the script opens the run by itself, spheres at true size, the voidage beside them."""
+        picture, script = done.path("by-script.png"), done.path("show-in-paraview.py")
+        words = [os.path.join(support.TOOLS, "paraview"), done.folder, "--screenshot", picture]
+        shown = subprocess.run(words, env=support.environment(DISPLAY=""), capture_output=True, text=True, timeout=300)
+        self.assertEqual(shown.returncode, 0, shown.stdout + shown.stderr)
+        self.assertEqual(shown.stdout.split(), [script, picture])
+        self.assertIn(f"'decomposed': {ranks > 1}", support.read(script))
+
+        import matplotlib.image
+
+        pixels = matplotlib.image.imread(picture)[:820, :940, :3]  # without title, time and colour bars
+        ink = pixels.min(axis=-1) < 0.97
+        columns = numpy.flatnonzero(ink.mean(axis=0) > 0.1)
+        (gap,) = numpy.flatnonzero(numpy.diff(columns) > 10)  # between the particles and the gas
+        left, right = columns[[0, gap]]
+        bed = numpy.flatnonzero(ink[:, left + 5:right - 5].mean(axis=1) > 0.5)
+        # 95,000 real spheres of 3.256 mm at a packing of 0.4 in 0.2286 m x 0.0762 m: 0.2465 m high; a sphere's diameter (6.5 mm) of room
+        width, height = right - left, bed[-1] - bed[0]
+        self.assertAlmostEqual(height / width * 0.2286, 0.2465, delta=0.01)
+        # the white between them is what spheres of their true size leave: a place is covered where the nearest centre is within a radius
+        snapshots = done.snapshots()
+        last = snapshots[max(snapshots)]
+        x, z = numpy.meshgrid(numpy.linspace(0.01, 0.21, 300), numpy.linspace(0.02, 0.22, 300))
+        distance, nearest = cKDTree(last["position"][:, (0, 2)]).query(numpy.column_stack([x.ravel(), z.ravel()]))
+        pixel = 0.2286 / width
+        covered = [(distance < share * last["diameter"][nearest] / 2 + 0.3 * pixel).mean() for share in (0.9, 1.0, 1.1)]  # a fifth of a pixel counts
+        part = ink[int(bed[-1] - 0.22 / pixel):int(bed[-1] - 0.02 / pixel), int(left + 0.01 / pixel):int(left + 0.21 / pixel)]
+        self.assertTrue(covered[0] < part.mean() < covered[2], f"{part.mean()} of the picture; {covered} where spheres are 10 % smaller, true, larger")
+        gas = pixels[bed[0] + 8:bed[-1] - 8, columns[gap + 1] + 5:columns[-1] - 5].reshape(-1, 3).mean(axis=0)
+        self.assertLess(gas.max(), 0.6, "the bed's voidage is dark")
+        free = pixels[bed[0] - 40, columns[gap + 1] + 5:columns[-1] - 5].mean(axis=0)
+        self.assertGreater(free[0], 0.8, "and that above it bright")
 
     def test_a_vessel_that_starts_empty(self):
         kinds = (

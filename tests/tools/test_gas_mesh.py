@@ -84,9 +84,20 @@ class Cut(unittest.TestCase):
         self.mesh()
         with self.assertRaisesRegex(InputError, "no voidage of the gas was written; writeInterval"):
             GasSections(self.folder, 0.1).nearest("voidage", 0.0)
+        os.mkdir(os.path.join(self.folder, "processors2"))
+        with self.assertRaisesRegex(InputError, "in the pieces of its ranks, collated: reconstructPar"):
+            GasSections(self.folder, 0.1).nearest("voidage", 0.0)
         write_field(self.folder, "0.5", "voidage", [0.5, 0.6])
         with self.assertRaisesRegex(InputError, "2 values, and the mesh .* has 192 cells"):
             GasSections(self.folder, 0.1).nearest("voidage", 0.5)
+
+    def test_a_time_that_is_still_being_written_is_left_out(self):
+        self.mesh()
+        for time in ("0.5", "0.6"):
+            write_field(self.folder, time, "voidage", self.centres[:, 0])
+        path = os.path.join(self.folder, "0.6", "voidage")
+        os.truncate(path, os.path.getsize(path) // 2)
+        self.assertEqual(GasSections(self.folder, 0.1).nearest("voidage", 0.6).time, 0.5)
 
 
 if __name__ == "__main__":

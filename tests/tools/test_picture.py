@@ -411,10 +411,11 @@ class Others(Bench):
         # Ergun's own equation at U = 1 m/s, for spheres of 1 cm in air
         slope = 150 * 0.6**2 * 1.8e-5 / (0.4**3 * 0.01**2) + 1.75 * 0.6 * 1.2 / (0.4**3 * 0.01)
         write_field(self.run_folder, "0.2", "p_rgh", 1e5 - slope * centres[:, 2])
-        self.parameters(gasDensity=1.2, gasViscosity=1.8e-5, diameter=0.01, inletVelocity=1.0)
+        write_field(self.run_folder, "0.2", "U", np.tile((0, 0, 1 / 0.4), (len(centres), 1)))
+        self.parameters(gasDensity=1.2, gasViscosity=1.8e-5, diameter=0.01)
         scene = picture_scene.Scene(self.run_folder)
         self.assertTrue(scene.held)
-        _, pressure, law = picture_law.profile(scene, scene.gas.nearest("voidage", 0.2), scene.gas.nearest("p_rgh", 0.2))
+        _, pressure, law = picture_law.profile(scene, *(scene.gas.nearest(field, 0.2) for field in ("voidage", "p_rgh", "U")))
         np.testing.assert_allclose(law, pressure, atol=1e-6 * slope)
         self.picture()
 

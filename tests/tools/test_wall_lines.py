@@ -76,6 +76,7 @@ class Log(unittest.TestCase):
         numpy.testing.assert_array_equal(found.surfaces[0].at(3.0), BLADE)
         self.assertRegex(self.walls(words.format(" move 0 0 1 scale 2")).notes[0], "blade is not drawn: placed by scale and move")
         self.assertRegex(self.walls("fix b all mesh/surface file dem/none.stl type 2\n").notes[0], "b is not drawn: .*none.stl: cannot be read")
+        self.assertRegex(self.walls("fix b all wall/region ball harmonic 1.0 1.0 2.5\n").notes[0], "wall b is not drawn: wall/region ball")
         self.assertRegex(self.walls("fix b all wall/gran primitive type 2 cone 1 2\n").notes[0], "wall b is not drawn: primitive type 2 cone 1 2")
 
     def test_binary_files(self):

@@ -17,6 +17,8 @@ from interphase.picture_scales import Scales
 from interphase.picture_scene import Scene, evenly_spaced, view
 
 RATE = 25.0  # frames a second
+READABLE = 100.0  # pixels per inch at which words of 8 points are read
+AROUND = 1.2  # inches above and below the panels
 SPREAD = 25  # snapshots of which the view is taken: all of a long run would be read twice
 
 EPILOG = """The colours are those of tools/picture --help, with one range for the whole film; the gas is that of the time that is nearest,
@@ -71,9 +73,10 @@ def frames(given, scene, snapshots):
     box, closed = view([scene], some)
     colours, of_gas = scales.colours(some)
     print(scales.words())
+    highest = max(given.height / READABLE - AROUND, 1.0)
     for snapshot in snapshots:
         shown = scene.shown(snapshot, scales.colour, gas)
-        figure = Picture([scene], [[shown]], box, closed, colours, gas, of_gas).figure()
+        figure = Picture([scene], [[shown]], box, closed, colours, gas, of_gas, highest=highest).figure()
         yield film.pixels(figure, given.height / figure.get_figheight())
         plt.close(figure)
 

@@ -101,10 +101,13 @@ def picture_of(given, scenes):
     shown = [[scene.shown(each, scales.colour, gas) for each in part] for scene, part in zip(scenes, chosen)]
     every = [each for part in shown for each in part]
     profile = None
-    if held and gas == "voidage" and scenes[0].gas.times("p_rgh"):
-        profile = picture_law.profile(scenes[0], every[-1].gas, scenes[0].gas.nearest("p_rgh", every[-1].time))
+    if held and gas == "voidage":
+        at = every[-1].gas.time
+        if all(scenes[0].has_gas_at(at, field) for field in ("p_rgh", "U")):
+            profile = picture_law.profile(scenes[0], every[-1].gas, *(scenes[0].gas.nearest(field, at) for field in ("p_rgh", "U")))
     curves = picture_curves.curves_of(scenes) if given.time is None else ()
-    drawn = picture_figure.Picture(scenes, shown, *view(scenes, every), *(lambda one, other: (one, gas, other))(*scales.colours(every)), curves, profile)
+    colours, of_gas = scales.colours(every)
+    drawn = picture_figure.Picture(scenes, shown, *view(scenes, every), colours, gas, of_gas, curves, profile)
     return drawn.figure(), scales.words()
 
 
