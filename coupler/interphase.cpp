@@ -13,6 +13,7 @@
 #include "base/version.hpp"
 #include "engines/liggghts/solids/liggghts_solids.hpp"
 #include "engines/openfoam/foam_case.hpp"
+#include "run/count_page.hpp"
 #include "run/coupled_run.hpp"
 #include "settings/key_page.hpp"
 #include "settings/read_settings.hpp"
@@ -32,6 +33,7 @@ Runs a coupled case: LIGGGHTS for the particles, OpenFOAM for the gas.
 
   -help                OpenFOAM's options as well
   -help keys           the keys of system/couplingDict
+  -help counts         what a run counts, and when to worry
   -version             version, commit, compiler, engines
 
 A case is a folder with system/controlDict, system/couplingDict, a mesh, fields in 0/, and a LIGGGHTS script. tools/run
@@ -44,16 +46,20 @@ bool asks_for_usage(int argc, char** argv)
     return argc == 2 && (std::string(argv[1]) == "--help" || std::string(argv[1]) == "-h");
 }
 
-bool asks_for_keys(int argc, char** argv)
+/// The page that is asked for; empty where none is.
+std::string page_asked_for(int argc, char** argv)
 {
-    return argc == 3 && std::string(argv[1]) == "-help" && std::string(argv[2]) == "keys";
+    if (argc != 3 || std::string(argv[1]) != "-help") return "";
+    const std::string about = argv[2];
+    if (about == "keys") return interphase::key_page(interphase::setting_keys());
+    return about == "counts" ? interphase::count_page(interphase::LiggghtsSolids::count_kinds()) : "";
 }
 
-void show_keys()
+void show(const std::string& page)
 {
     int rank = 0;
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    if (rank == 0) std::fputs(interphase::key_page(interphase::setting_keys()).c_str(), stdout);
+    if (rank == 0) std::fputs(page.c_str(), stdout);
 }
 
 /// The one place that knows both engines. Returns the exit code.
@@ -74,10 +80,11 @@ int couple(int argc, char** argv)
 std::optional<interphase::Failure> run(int argc, char** argv, int& code)
 {
     try {
-        if (asks_for_keys(argc, argv))
-            show_keys();
-        else
+        const std::string page = page_asked_for(argc, argv);
+        if (page.empty())
             code = couple(argc, argv);
+        else
+            show(page);
         return std::nullopt;
     } catch (const std::exception& error) {
         return interphase::failure_of(error);

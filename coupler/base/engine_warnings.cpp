@@ -71,6 +71,13 @@ std::vector<std::string> gathered(const Communicator& comm, const std::vector<st
 
 }  // namespace
 
+EngineWarnings::EngineWarnings(std::string engine, std::string log)
+    : engine_(std::move(engine)), log_(std::move(log)), key_("warnings_of_" + engine_), text_("warnings of " + engine_)
+{
+    kind_.key = key_.c_str();
+    kind_.text = text_.c_str();
+}
+
 void EngineWarnings::hear(const std::string& words)
 {
     const std::string line = in_one_line(words);

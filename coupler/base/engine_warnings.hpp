@@ -9,15 +9,29 @@
 
 #include "base/archive.hpp"
 #include "base/communicator.hpp"
+#include "base/count.hpp"
 
 namespace interphase {
+
+/// With the engine's name in its words.
+inline constexpr CountKind warnings_of_engine{"warnings_of_ENGINE",
+                                              "warnings of ENGINE",
+                                              Whole::nothing,
+                                              "What LIGGGHTS or OpenFOAM warned of, which they only write into their "
+                                              "logs. Those that differ in numbers are of one "
+                                              "kind, and each kind was told once, in the engine's words.",
+                                              Worry::any,
+                                              "What a warning means, the engine's words tell.",
+                                              "read them, above or in the engine's log"};
 
 /// What an engine warns of, which it writes into its log only: each kind is to be told once, and all are counted.
 /// Warnings that differ in their numbers are of one kind.
 class EngineWarnings {
 public:
     /// `engine`: its name; `log`: the file in which all of them stand.
-    EngineWarnings(std::string engine, std::string log) : engine_(std::move(engine)), log_(std::move(log)) {}
+    EngineWarnings(std::string engine, std::string log);
+    EngineWarnings(const EngineWarnings&) = delete;  // counts refer to its words
+    EngineWarnings& operator=(const EngineWarnings&) = delete;
 
     const std::string& engine() const { return engine_; }
     const std::string& log() const { return log_; }
@@ -34,11 +48,13 @@ public:
     /// Their number; kinds that were told are told again in a run that goes on.
     void keep(Archive& archive) { archive.keep_share("heard", heard_); }
 
-    /// How often a warning was heard so far, of all ranks. Collective.
-    long count(const Communicator& comm) const { return comm.sum(heard_); }
+    /// How often a warning was heard so far, of all ranks. Not longer than this lives. Collective.
+    Count count(const Communicator& comm) const { return {kind_, comm.sum(heard_)}; }
 
 private:
     std::string engine_, log_;
+    std::string key_, text_;
+    CountKind kind_ = warnings_of_engine;
     std::vector<std::string> fresh_;  ///< of kinds that are not among the told
     std::set<std::string> known_;     ///< kinds that are told, or fresh
     std::set<std::string> told_;      ///< the same on all ranks

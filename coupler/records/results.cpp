@@ -32,7 +32,7 @@ void Results::add_row(const std::string& group, const std::vector<Entry>& row)
     std::vector<ColumnRows>& table = tables_[group];
     if (table.empty())
         for (const Entry& entry : row)
-            table.push_back({entry.name, entry.unit, {}});
+            table.push_back({std::string(entry.name) + entry.ending, entry.unit, {}});
     for (std::size_t n = 0; n < row.size(); ++n)
         table[n].rows.push_back(row[n].value);
     rows_wait_ = true;

@@ -20,11 +20,13 @@ public:
     /// What was there before goes with the first flush(); where the run goes on from a time [s], only rows after it.
     explicit Results(const Communicator& comm, std::optional<double> goes_on_from = std::nullopt);
 
-    /// One number of a row: name, unit, value.
+    /// One number of a row. Its name is `name` with `ending`; texts are only read during the call, and those of a
+    /// table's first row only: a row is made in every step, and costs nothing but its numbers.
     struct Entry {
-        std::string name;
-        std::string unit;
+        const char* name;
+        const char* unit;
         double value;
+        const char* ending = "";
     };
 
     /// Adds a row to the table, e.g. "/series". Every row of a table has the same entries, in the same order.

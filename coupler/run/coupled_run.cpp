@@ -241,6 +241,13 @@ std::string CoupledRun::stopped_by() const
     return signal_ == 0 ? "" : SignalRequests::name_of(signal_);
 }
 
+Wholes CoupledRun::wholes() const
+{
+    Wholes all = coupling_ ? coupling_->wholes() : without_gas_->wholes();
+    all.particles = static_cast<double>(at_start_.tracked) + records_->came_and_went().came();
+    return all;
+}
+
 void CoupledRun::finish()
 {
     stopwatch_.switch_to(Phase::output);
@@ -250,6 +257,7 @@ void CoupledRun::finish()
                             {},
                             records_->came_and_went(),
                             {},
+                            wholes(),
                             stopped_by().empty() ? "" : way_to_go_on()};
     if (coupling_) {
         if (settings_.two_way) summary.balances = coupling_->ledger().accounts();
@@ -259,7 +267,7 @@ void CoupledRun::finish()
         summary.counts.push_back(count);
     std::vector<Count> warnings;
     for (const EngineWarnings* of : warners())
-        warnings.push_back({"warnings_of_" + of->engine(), "warnings of " + of->engine(), of->count(comm_)});
+        warnings.push_back(of->count(comm_));
     summary.counts.insert(summary.counts.end(), warnings.begin(), warnings.end());
     records_->describe_end({stopped_by(), summary.spent, warnings});
     report_.summary(summary);

@@ -49,6 +49,7 @@ private:
     void record(bool at_start);
     void look_for_the_end();
     std::string stopped_by() const;
+    Wholes wholes() const;
     void finish();
     void keep_what_is_known(const std::exception& error);  ///< after it
 

@@ -26,6 +26,30 @@ std::string duration(double seconds)
     return text;
 }
 
+std::string percent(double share)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, share > 0 && share < 1e-5 ? "< 0.001 %%" : "%.3f %%", 100 * share);
+    return text;
+}
+
+/// All of them, also those that are 0: it is good to know what did not happen.
+void tell_counts(const Report::Summary& of)
+{
+    if (of.counts.empty()) return;
+    std::printf("\n  counted                                             number      share\n");
+    bool some = false;
+    for (const Count& count : of.counts) {
+        const std::optional<double> share = share_of(count, of.wholes);
+        const bool any = count.number > 0;
+        some = some || any;
+        std::printf("    %-43s %12s", count.kind->text, with_separators(count.number).c_str());
+        if (any) std::printf(" %10s   %s", share ? percent(*share).c_str() : "", verdict(count, of.wholes).c_str());
+        std::printf("\n");
+    }
+    if (some) std::printf("    what they are, and when to worry: interphase -help counts\n");
+}
+
 }  // namespace
 
 Report::Report(bool prints, double start_time, double end_time)
@@ -112,9 +136,7 @@ void Report::summary(const Summary& of) const
                     p[1], p[2]);
     });
 
-    if (!of.counts.empty()) std::printf("\n  counted\n");
-    for (const Count& count : of.counts)
-        std::printf("    %-38s %ld\n", count.text.c_str(), count.number);
+    tell_counts(of);
     if (!of.way_to_go_on.empty()) std::printf("\n%s\n", of.way_to_go_on.c_str());
     std::fflush(stdout);
 }

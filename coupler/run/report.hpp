@@ -39,6 +39,7 @@ public:
         std::vector<const Account*> balances;  ///< of a run in which the particles act on the gas
         PopulationTotals population;
         std::vector<Count> counts;
+        Wholes wholes;             ///< that the counts are parts of
         std::string way_to_go_on;  ///< empty where the run has reached its end
     };
     void summary(const Summary& of) const;

@@ -15,14 +15,17 @@ namespace interphase {
 
 namespace {
 
+constexpr const char* momentum_of_axis[] = {"_momentum_x", "_momentum_y", "_momentum_z"};
+
 /// Columns of what came and went: of each way the number, the volume and the momentum.
 void add_passages(std::vector<Results::Entry>& row, const PopulationTotals& totals)
 {
-    visit_passages(totals, [&row](const std::string& key, const std::string&, const Passage& passage) {
-        if (key.rfind("gas_", 0) != 0) row.push_back({key, "1", passage.particles});
-        row.push_back({key + "_volume", "m3", passage.volume});
+    visit_passages(totals, [&](const char* key, const char*, const Passage& passage) {
+        const bool of_gas = &passage == &totals.gas_displaced || &passage == &totals.gas_restored;
+        if (!of_gas) row.push_back({key, "1", passage.particles});
+        row.push_back({key, "m3", passage.volume, "_volume"});
         for (std::size_t axis = 0; axis < 3; ++axis)
-            row.push_back({key + "_momentum_" + "xyz"[axis], "kg m/s", passage.momentum[axis]});
+            row.push_back({key, "kg m/s", passage.momentum[axis], momentum_of_axis[axis]});
     });
 }
 
@@ -99,7 +102,7 @@ void RunRecords::describe_population()
         results_.describe("/meta", "bed_weight_per_area", weight_per_area(*gas, comm.sum(particles.mass.sum())));
 }
 
-PopulationTotals RunRecords::came_and_went() const
+const PopulationTotals& RunRecords::came_and_went() const
 {
     return scene_.coupling ? scene_.coupling->population() : scene_.without_gas->of_all_ranks();
 }
@@ -110,12 +113,12 @@ void RunRecords::add_ledger_row()
     const CouplingStep& coupling = *scene_.coupling;
     std::vector<Results::Entry> row{{"time", "s", scene_.gas_case.time()}};
     for (const Account* account : coupling.ledger().accounts())
-        row.push_back({account->key() + "_residual", "1", account->residual()});
+        row.push_back({account->key().c_str(), "1", account->residual(), "_residual"});
     for (const Count& count : coupling.counts())
-        row.push_back({count.key, "1", static_cast<double>(count.number)});
+        row.push_back({count.kind->key, "1", static_cast<double>(count.number)});
     const Eigen::VectorXd& carried_off = coupling.ledger().momentum.carried_off();
     for (int axis = 0; axis < 3; ++axis)
-        row.push_back({std::string("carried_off_momentum_") + "xyz"[axis], "kg m/s", carried_off[axis]});
+        row.push_back({"carried_off", "kg m/s", carried_off[axis], momentum_of_axis[axis]});
     add_passages(row, came_and_went());
     results_.add_row("/ledger", row);
 }
@@ -129,7 +132,7 @@ void RunRecords::record(const Moment& moment)
         if (moment.at_start && scene_.coupling) scene_.coupling->look_at_start();
         last_seen_ = observe(scene_.comm, scene_.solids, scene_.gas,
                              scene_.coupling ? scene_.coupling->voidage() : Scalars{}, scene_.settings.pressure_taps);
-        const PopulationTotals totals = came_and_went();
+        const PopulationTotals& totals = came_and_went();
         last_seen_.came = totals.came();
         last_seen_.went = totals.went();
         if (row_due) results_.add_row("/series", last_seen_.row(now));
@@ -189,7 +192,7 @@ void RunRecords::describe_end(const Ending& ending)
         results_.describe("/exchange", "bytes_sent", scene_.comm.sum(sent));
     }
     for (const Count& count : ending.warnings)
-        results_.describe("/meta", count.key, static_cast<double>(count.number));
+        results_.describe("/meta", count.kind->key, static_cast<double>(count.number));
     describe_population();
     results_.describe("/meta", "wall_time", ending.spent.wall);
     flush();

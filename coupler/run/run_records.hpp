@@ -61,7 +61,7 @@ public:
     /// What was seen when last a row, a line or the end was due.
     const Observation& last_seen() const { return last_seen_; }
 
-    PopulationTotals came_and_went() const;
+    const PopulationTotals& came_and_went() const;
 
     struct Ending {
         std::string stopped_by;  ///< empty at the end time

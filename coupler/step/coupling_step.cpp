@@ -5,6 +5,7 @@
 
 #include "base/sphere.hpp"
 #include "exchange/moved_cells.hpp"
+#include "step/step_counts.hpp"
 
 namespace interphase {
 
@@ -36,7 +37,8 @@ CouplingStep::CouplingStep(const Communicator& comm, const Settings& settings, G
       periods_(solids.periods()),
       voidage_(gas.mesh().size(), 1.0),
       solid_volume_(gas.mesh().size(), 0.0),
-      demand_(gas.mesh().size())
+      demand_(gas.mesh().size()),
+      cells_(comm.sum(static_cast<double>(gas.mesh().size())))
 {
     if (stress_model_) stress_.emplace(comm_, gas_, mapping_, *stress_model_);
     refuse_other_periods();
@@ -290,10 +292,10 @@ void CouplingStep::book_solids(const ParticleView& particles)
 
 std::vector<Count> CouplingStep::counts() const
 {
-    std::vector<Count> all{{"cells_relieved", "cells relieved at the packing limit", relieved_},
-                           {"particles_outside_mesh", "particles without a gas cell", outside_},
-                           {"centres_beyond_edge", "centres beyond a facet, in the nearest cell", beyond_edge_},
-                           {"cells_pushed", "cells too full for what was inserted", pushed_}};
+    std::vector<Count> all{{cells_relieved, relieved_},
+                           {particles_outside_mesh, outside_},
+                           {centres_beyond_edge, beyond_edge_},
+                           {cells_pushed, pushed_}};
     const auto add = [&all](const std::vector<Count>& more) { all.insert(all.end(), more.begin(), more.end()); };
     add(forces_.counts());
     if (settings_.two_way) add(watch_.counts());
@@ -301,10 +303,19 @@ std::vector<Count> CouplingStep::counts() const
 
     Scalars numbers;
     for (const Count& count : all)
-        numbers.push_back(static_cast<double>(count.number));
+        numbers.insert(numbers.end(), {static_cast<double>(count.number), count.off});
     comm_.sum(numbers);
-    for (std::size_t n = 0; n < all.size(); ++n)
-        all[n].number = std::lround(numbers[n]);
+    for (std::size_t n = 0; n < all.size(); ++n) {
+        all[n].number = std::lround(numbers[2 * n]);
+        all[n].off = numbers[2 * n + 1];
+    }
+    return all;
+}
+
+Wholes CouplingStep::wholes() const
+{
+    Wholes all = population_.wholes();
+    all.cell_steps = cells_ * all.gas_steps;
     return all;
 }
 

@@ -45,7 +45,7 @@ public:
 
     const Ledger& ledger() const { return ledger_; }
     /// What came and went so far, on all ranks. Collective.
-    PopulationTotals population() const { return population_.of_all_ranks(); }
+    const PopulationTotals& population() const { return population_.of_all_ranks(); }
     const Scalars& voidage() const { return voidage_; }
     /// What the next gas step should not exceed, the same on all ranks [s]: what the solid stress bore in the last one
     /// (eq. 28 of the paper), and what the stability watch asks for.
@@ -56,6 +56,9 @@ public:
     /// What was clamped, left a range or was told so far, on all ranks: cells cell by cell and particles particle by
     /// particle, step by step. Collective.
     std::vector<Count> counts() const;
+
+    /// What the counts are parts of, but for the particles.
+    Wholes wholes() const;
 
     /// What the next step needs of those before, beside what gas and particles have: with it a run goes on as if it had
     /// not been interrupted.
@@ -136,6 +139,7 @@ private:
     std::vector<double> newcomers_;
     double displaced_ = 0, restored_ = 0;  ///< gas volume that gave way, or came back, in this step [m3]
     Demand demand_;
+    double cells_;  ///< of all ranks
     bool inspected_ = false;
     bool knows_last_step_ = false;  ///< where it mapped whom; a run that goes on from saved state does not at first
     double solid_step_ = 0;

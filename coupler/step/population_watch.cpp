@@ -33,6 +33,7 @@ PopulationWatch::PopulationWatch(const Communicator& comm, const Settings& setti
 
 void PopulationWatch::remember(const ParticleView& particles)
 {
+    summed_.reset();
     if (count_ < 0) count_ = comm_.sum(static_cast<long>(particles.size()));
     ids_.assign(particles.id, particles.id + particles.size());
     positions_.resize(particles.size());
@@ -58,6 +59,8 @@ void PopulationWatch::book(Solids& solids)
     const long lost = count_ + std::lround(all.came - all.went - all.there);
     if (lost != 0) refuse_loss(solids, lost);
     if (all.came > 0) refuse_parcels(particles, arrivals);
+    wholes_.gas_steps += 1;
+    wholes_.particle_steps += static_cast<double>(count_);
     count_ = std::lround(all.there);
     add_departures(departures);
     add_arrivals(particles, arrivals);
@@ -92,11 +95,13 @@ void PopulationWatch::add_arrivals(const ParticleView& particles, const std::vec
     }
 }
 
-PopulationTotals PopulationWatch::of_all_ranks() const
+const PopulationTotals& PopulationWatch::of_all_ranks() const
 {
-    PopulationTotals all = totals_;
-    comm_.sum(all);
-    return all;
+    if (!summed_) {
+        summed_ = totals_;
+        comm_.sum(*summed_);
+    }
+    return *summed_;
 }
 
 void PopulationWatch::refuse_boundary(const std::vector<Departure>& departures) const

@@ -6,6 +6,7 @@
 
 #include "base/archive.hpp"
 #include "base/communicator.hpp"
+#include "base/count.hpp"
 #include "settings/settings.hpp"
 #include "step/population_totals.hpp"
 #include "step/solids.hpp"
@@ -27,13 +28,19 @@ public:
 
     /// Of this rank.
     PopulationTotals& totals() { return totals_; }
-    /// Of all ranks. Collective.
-    PopulationTotals of_all_ranks() const;
+    /// Of all ranks, once a step has ended: summed once, however often it is asked for. Collective.
+    const PopulationTotals& of_all_ranks() const;
+
+    /// Gas steps that were booked, and the particles in each of them, on all ranks.
+    const Wholes& wholes() const { return wholes_; }
 
     void keep(Archive& archive)
     {
         archive.keep("count", count_);
+        archive.keep("gas_steps", wholes_.gas_steps);
+        archive.keep("particle_steps", wholes_.particle_steps);
         archive.keep_share("totals", totals_);
+        if (archive.loads()) summed_.reset();
     }
 
 private:
@@ -47,6 +54,8 @@ private:
     const Settings& settings_;
     bool may_leave_through_boundary_;
     PopulationTotals totals_;
+    mutable std::optional<PopulationTotals> summed_;  ///< of all ranks, since the last step began
+    Wholes wholes_;
     long count_ = -1;       ///< of all ranks; below 0: not known
     std::vector<int> ids_;  ///< at the start of the step
     Vectors positions_;     ///< likewise

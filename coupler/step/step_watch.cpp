@@ -6,6 +6,7 @@
 
 #include "base/text.hpp"
 #include "base/user_error.hpp"
+#include "step/step_counts.hpp"
 
 namespace interphase {
 
@@ -146,10 +147,10 @@ void StepWatch::observe(InterphaseForces& forces, const Scalars& voidage, const 
 std::vector<Count> StepWatch::counts() const
 {
     const StabilityCounts steps = comm_.is_master() ? watch_.counts() : StabilityCounts{};
-    return {{"steps_alternating", "gas steps that alternate", steps.alternating},
-            {"steps_accelerating", "gas steps of particles beyond reason", steps.accelerating},
-            {"steps_across_cells", "gas steps that cross a cell", steps.crossing},
-            {"steps_outrun_by_waves", "gas steps that waves outrun", steps.outrun}};
+    return {{steps_alternating, steps.alternating},
+            {steps_accelerating, steps.accelerating},
+            {steps_across_cells, steps.crossing},
+            {steps_outrun_by_waves, steps.outrun}};
 }
 
 void StepWatch::refuse_impossible_flight(double solid_step) const

@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "momentum/drag_response.hpp"
 #include "momentum/particle_coupling.hpp"
+#include "step/step_counts.hpp"
 
 namespace interphase {
 
@@ -122,9 +123,9 @@ void StressExchange::begin(const std::vector<Answer>& answers, const std::vector
 
 std::vector<Count> StressExchange::counts() const
 {
-    return {{"cells_beyond_close_packing", "cells beyond close packing", cells_overpacked_},
-            {"step_crosses_cells", "steps too long for a particle's cell", step_too_long_.crossing_cells},
-            {"step_beyond_relaxation", "steps beyond a relaxation time", step_too_long_.beyond_relaxation}};
+    return {{cells_beyond_close_packing, cells_overpacked_},
+            {step_crosses_cells, step_too_long_.crossing_cells},
+            {step_beyond_relaxation, step_too_long_.beyond_relaxation}};
 }
 
 Vector StressExchange::returned_by_drag(std::size_t i, double mass, double solid_step) const

@@ -22,7 +22,7 @@ TEST(EngineWarnings, ThatDifferInNumbersAreToldOnceAndCounted)
     EXPECT_EQ(warnings.news(world()), Words{"time-step is 230.5 % of rayleigh time, 1.5e-07 s, at -3"});
     warnings.hear("time-step is 9 % of rayleigh time, 1E+9 s, at 7");
     EXPECT_EQ(warnings.news(world()), Words{});
-    EXPECT_EQ(warnings.count(world()), 7 * world().size());
+    EXPECT_EQ(warnings.count(world()).number, 7 * world().size());
 }
 
 TEST(EngineWarnings, OfOneRankReachAll)
@@ -30,10 +30,10 @@ TEST(EngineWarnings, OfOneRankReachAll)
     EngineWarnings warnings("LIGGGHTS", "log");
     if (world().rank() == world().size() - 1) warnings.hear("  Particles \n were   lost ");
     EXPECT_EQ(warnings.news(world()), Words{"Particles were lost"});
-    EXPECT_EQ(warnings.count(world()), 1);
+    EXPECT_EQ(warnings.count(world()).number, 1);
     warnings.hear("Particles were lost");  // of the others now: known to all
     EXPECT_EQ(warnings.news(world()), Words{});
-    EXPECT_EQ(warnings.count(world()), 1 + world().size());
+    EXPECT_EQ(warnings.count(world()).number, 1 + world().size());
 }
 
 TEST(EngineWarnings, OfOtherWordsAreOthers)
@@ -46,7 +46,7 @@ TEST(EngineWarnings, OfOtherWordsAreOthers)
     EXPECT_EQ(warnings.own_news(), (Words{"mesh wall1: 3 elements overlap", "mesh wall21: 3 elements overlap"}));
     EXPECT_EQ(warnings.news(world()).size(), 2u);
     EXPECT_EQ(warnings.own_news(), Words{});
-    EXPECT_EQ(warnings.count(world()), 3 * world().size());
+    EXPECT_EQ(warnings.count(world()).number, 3 * world().size());
 }
 
 }  // namespace

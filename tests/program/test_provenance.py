@@ -33,7 +33,7 @@ class Provenance(support.ProgramTest):
         for option in ("--help", "-h"):
             said = subprocess.run([support.PROGRAM, option], env={"PATH": os.environ["PATH"]}, capture_output=True, text=True, timeout=60)
             self.assertEqual((said.returncode, said.stderr), (0, ""))
-            for name in ("-case", "-parallel", "-resume", "-overwrite", "-wallLimit", "-help keys", "-version"):
+            for name in ("-case", "-parallel", "-resume", "-overwrite", "-wallLimit", "-help keys", "-help counts", "-version"):
                 self.assertIn(name, said.stdout)
 
     def test_of_results(self):

@@ -79,8 +79,12 @@ TEST(KeptState, LetsARunGoOnToTheLastBit)
         EXPECT_EQ(books[n]->residual(), of_whole[n]->residual()) << books[n]->key();
     EXPECT_EQ(after->step.ledger().momentum.exchanged(), whole->step.ledger().momentum.exchanged());
     const std::vector<Count> counts = after->step.counts(), expected = whole->step.counts();
-    for (std::size_t n = 0; n < counts.size(); ++n)
-        EXPECT_EQ(counts[n].number, expected[n].number) << counts[n].key;
+    for (std::size_t n = 0; n < counts.size(); ++n) {
+        EXPECT_EQ(counts[n].number, expected[n].number) << counts[n].kind->key;
+        EXPECT_EQ(counts[n].off, expected[n].off) << counts[n].kind->key;
+    }
+    EXPECT_EQ(after->step.wholes().particle_steps, whole->step.wholes().particle_steps);
+    EXPECT_EQ(after->step.wholes().gas_steps, 30);
     EXPECT_EQ(after->step.longest_step(), whole->step.longest_step());
 }
 

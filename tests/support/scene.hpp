@@ -35,7 +35,8 @@ public:
     long counted(const std::string& key) const
     {
         const std::vector<Count> all = step.counts();
-        const auto found = std::find_if(all.begin(), all.end(), [&](const Count& count) { return count.key == key; });
+        const auto found =
+            std::find_if(all.begin(), all.end(), [&](const Count& count) { return count.kind->key == key; });
         if (found == all.end()) throw std::out_of_range("nothing is counted as " + key);
         return found->number;
     }

@@ -39,15 +39,28 @@ double Drag::rate_at(const ParticleInGas& at, double voidage, double slip_speed)
            drag_rate_per_volume(law_, voidage, slip_speed, at.diameter, at.density, at.viscosity, asked_for(at));
 }
 
+double Drag::departure(const DragState& state) const
+{
+    for (const DragLaw* other : {wen_yu_, ergun_})
+        if (other->holds_at(state.voidage, state.reynolds))
+            return std::abs(law_.factor(state) / other->factor(state) - 1);
+    return 1;
+}
+
 void Drag::act(const ParticleInGas& at, Response& response)
 {
     const Vector slip = at.slip();
     const SelfDisturbance own(at);
     const double eps = own.voidage();
     const double reynolds = superficial_reynolds(eps, slip.norm(), at.diameter, at.density, at.viscosity);
-    beyond_range_ += eps < law_.voidage_min || eps > law_.voidage_max || reynolds > law_.reynolds_max;
-
     const DragState asked = asked_for(at);
+    if (!law_.holds_at(eps, reynolds)) {
+        ++beyond_range_;
+        DragState state = asked;
+        state.voidage = eps;
+        state.reynolds = reynolds;
+        departure_ += departure(state);
+    }
     const auto of_undisturbed = [&](double speed) {
         return at.volume * drag_rate_per_volume(law_, eps, speed, at.diameter, at.density, at.viscosity, asked);
     };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "forces/drag/cluster_length.hpp"
+#include "forces/drag/drag_counts.hpp"
 #include "forces/drag/drag_law.hpp"
 #include "forces/term.hpp"
 
@@ -22,13 +23,13 @@ public:
 
     std::vector<Count> counts() const override
     {
-        return {{"beyond_drag_range", "particles beyond the drag law's range", beyond_range_},
-                {"self_disturbance_limited", "particles that take most of the slip along", limited_}};
+        return {{beyond_drag_range, beyond_range_, departure_}, {self_disturbance_limited, limited_}};
     }
 
     void keep(Archive& archive) override
     {
         archive.keep_share("beyond_range", beyond_range_);
+        archive.keep_share("departure", departure_);
         archive.keep_share("limited", limited_);
     }
 
@@ -36,9 +37,15 @@ private:
     /// What a law may ask for beside voidage and Reynolds number.
     DragState asked_for(const ParticleInGas& at) const;
 
+    /// How far the law's factor is from that of a law whose range holds the state: Wen and Yu's, else Ergun's; its own
+    /// size where neither's does.
+    double departure(const DragState& state) const;
+
     const DragLaw& law_;
+    const DragLaw *wen_yu_ = find_drag_law("WenYu"), *ergun_ = find_drag_law("Ergun");
     mutable ClusterLength cluster_length_;
     long beyond_range_ = 0;
+    double departure_ = 0;  ///< summed over those beyond the range
     long limited_ = 0;
 };
 

@@ -32,6 +32,11 @@ struct DragLaw {
     double voidage_min, voidage_max, reynolds_max;
     std::string_view reference;
     DragLooksAt looks_at = DragLooksAt::flow;
+
+    bool holds_at(double voidage, double reynolds) const
+    {
+        return voidage >= voidage_min && voidage <= voidage_max && reynolds <= reynolds_max;
+    }
 };
 
 /// Every law there is, the default one first.

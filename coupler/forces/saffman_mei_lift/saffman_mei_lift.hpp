@@ -5,6 +5,16 @@
 
 namespace interphase {
 
+inline constexpr CountKind beyond_lift_range{
+    "beyond_lift_range",
+    "particles beyond the lift law's range",
+    Whole::particle_steps,
+    "A particle's Reynolds number or its shear was beyond the range of Mei's correction (0.1 <= Re <= 100, "
+    "0.005 <= b <= 0.4). The formula was taken as it stands.",
+    Worry::share,
+    "How far the lift is off there is not known: its own size is taken.",
+    "where the lift matters, look at how much the run changes without it (`forces ()`)"};
+
 /// Lift on a sphere that moves against a gas in shear,
 ///     F = 1.615 d^2 sqrt(rho mu / |w|) C (u - v) x w,   w = curl u,
 /// by P. G. Saffman, J. Fluid Mech. 22 (1965) 385, corrected in 31 (1968) 624, for small Re. C is the correction of
@@ -23,10 +33,7 @@ public:
 
     void act(const ParticleInGas& at, Response& response) override;
 
-    std::vector<Count> counts() const override
-    {
-        return {{"beyond_lift_range", "particles beyond the lift law's range", beyond_range_}};
-    }
+    std::vector<Count> counts() const override { return {{beyond_lift_range, beyond_range_}}; }
 
     void keep(Archive& archive) override { archive.keep_share("beyond_range", beyond_range_); }
 

@@ -164,7 +164,7 @@ TEST(SelfDisturbance, IsLimitedAndCountedWhereAParticleTakesAllOfTheSlipAlong)
     const double slip = at.gas_velocity.z();
     EXPECT_LT(rate_of(drag, at), drag.rate_at(at, 1.0, slip) / (1 - SelfDisturbance::most_taken));
     EXPECT_EQ(drag.counts()[1].number, 1);
-    EXPECT_EQ(drag.counts()[1].key, "self_disturbance_limited");
+    EXPECT_STREQ(drag.counts()[1].kind->key, "self_disturbance_limited");
 }
 
 TEST(SelfDisturbance, OfAParcelIsThatOfOneOfItsParticles)

@@ -20,6 +20,7 @@
 #include "engines/liggghts/solids/fix_states.hpp"
 #include "engines/liggghts/solids/particle_state.hpp"
 #include "engines/liggghts/solids/scene_checks.hpp"
+#include "engines/liggghts/solids/solids_counts.hpp"
 #include "engines/liggghts/solids/start_time.hpp"
 #include "engines/liggghts/solids/weight_property.hpp"
 #include "fix_gravity.h"
@@ -108,8 +109,13 @@ std::vector<Count> LiggghtsSolids::counts() const
 {
     std::vector<Count> all = remarks_->counts();
     if (const long late = population_ ? population_->seen_late() : 0; late > 0)
-        all.push_back({"seen_late_by_outlets", "particles that an outlet saw late", late});
+        all.push_back({seen_late_by_outlets, late});
     return all;
+}
+
+std::vector<const CountKind*> LiggghtsSolids::count_kinds()
+{
+    return {&overlaps_at_start, &particles_unmoved, &fast_contacts, &seen_late_by_outlets};
 }
 
 EngineWarnings* LiggghtsSolids::warnings()

@@ -69,7 +69,8 @@ public:
 
     std::vector<Problem> remarks() override;
     std::vector<Count> counts() const override;
-    EngineWarnings* warnings() override;  ///< flushed
+    static std::vector<const CountKind*> count_kinds();  ///< what counts() may have
+    EngineWarnings* warnings() override;                 ///< flushed
 
 private:
     void refuse_faster_contacts() const;

@@ -8,6 +8,7 @@
 #include "engines/liggghts/solids/elastic_spheres.hpp"
 #include "engines/liggghts/solids/integrators.hpp"
 #include "engines/liggghts/solids/overlaps.hpp"
+#include "engines/liggghts/solids/solids_counts.hpp"
 #include "fix.h"
 #include "lammps.h"
 #include "modify.h"
@@ -119,12 +120,12 @@ std::optional<Problem> SceneRemarks::of_fast_contacts()
 std::vector<Count> SceneRemarks::counts() const
 {
     std::vector<Count> all;
-    const auto add = [&all](const char* key, const char* words, long number) {
-        if (number > 0) all.push_back({key, words, number});
+    const auto add = [&all](const CountKind& kind, long number) {
+        if (number > 0) all.push_back({kind, number});
     };
-    add("overlaps_at_start", "overlaps at the start", overlaps_);
-    add("particles_unmoved", "particles that no fix moves", unmoved_);
-    add("fast_contacts", "gas steps with too fast contacts", fast_steps_);
+    add(overlaps_at_start, overlaps_);
+    add(particles_unmoved, unmoved_);
+    add(fast_contacts, fast_steps_);
     return all;
 }
 

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/count.hpp"
+
+#include <cstdio>
+
+namespace interphase {
+
+namespace {
+
+std::string percent(double share)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
+    return text;
+}
+
+}  // namespace
+
+double Wholes::of(Whole whole) const
+{
+    switch (whole) {
+        case Whole::particle_steps:
+            return particle_steps;
+        case Whole::cell_steps:
+            return cell_steps;
+        case Whole::gas_steps:
+            return gas_steps;
+        case Whole::particles:
+            return particles;
+        case Whole::nothing:
+            break;
+    }
+    return 0;
+}
+
+std::optional<double> share_of(const Count& count, const Wholes& wholes)
+{
+    const double all = wholes.of(count.kind->whole);
+    return all > 0 ? std::optional(static_cast<double>(count.number) / all) : std::nullopt;
+}
+
+std::optional<double> weighed_share(const Count& count, const Wholes& wholes)
+{
+    const double all = wholes.of(count.kind->whole);
+    return all > 0 ? std::optional(count.off / all) : std::nullopt;
+}
+
+std::string verdict(const Count& count, const Wholes& wholes)
+{
+    if (count.number == 0) return "";
+    switch (count.kind->worry) {
+        case Worry::never:
+            return "ordinary";
+        case Worry::any:
+            return "look at it";
+        case Worry::share:
+            break;
+    }
+    const std::optional<double> share = weighed_share(count, wholes);
+    if (!share) return "";
+    const bool weighed = count.off != static_cast<double>(count.number);
+    const std::string limit = percent(tolerable_share);
+    if (weighed)
+        return (*share > tolerable_share ? "look at it: moves a mean by up to " : "ordinary: moves a mean by up to ") +
+               percent(*share);
+    return *share > tolerable_share ? "look at it: above " + limit : "ordinary: below " + limit;
+}
+
+std::string name_of(Whole whole)
+{
+    switch (whole) {
+        case Whole::particle_steps:
+            return "of the particles, gas step by gas step";
+        case Whole::cell_steps:
+            return "of the gas cells, gas step by gas step";
+        case Whole::gas_steps:
+            return "of the gas steps";
+        case Whole::particles:
+            return "of the particles";
+        case Whole::nothing:
+            break;
+    }
+    return "";
+}
+
+std::string with_separators(long number)
+{
+    std::string digits = std::to_string(number);
+    const std::size_t sign = number < 0 ? 1 : 0;
+    for (std::size_t at = digits.size(); at > sign + 3;) {
+        at -= 3;
+        digits.insert(at, ",");
+    }
+    return digits;
+}
+
+}  // namespace interphase
