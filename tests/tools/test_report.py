@@ -360,6 +360,12 @@ class WithoutConfiguration(Folder):
         for name, each in stored.items():
             numpy.testing.assert_array_equal(computed[name].values, each.values, name)
             self.assertEqual((computed[name].unit, list(computed[name].attributes)), (each.unit, list(each.attributes)))
+        with h5py.File(os.path.join(run, "results.h5"), "r+") as file:  # the run goes on
+            for name, values in [(name, data[()]) for name, data in file["series"].items()]:
+                del file["series"][name]
+                file["series"][name] = numpy.append(values, values[-1] + (0.05 if name == "time" else 100))
+        later = interphase.Run(run).statistics["profiles/means/pressure_drop"]
+        self.assertNotEqual(later.values, stored["profiles/means/pressure_drop"].values)
 
     def test_vessels_that_differ(self):
         a, b = self.bare("a", 60, domain=[[0, 0, 0], [0.2, 0.1, 0.4]]), self.bare("b", 60, domain=[[0, 0, 0], [0.3, 0.1, 0.4]])
