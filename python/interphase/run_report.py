@@ -222,9 +222,7 @@ def _overlaps(report, wanted, rows):
         kept = slice(filled[0], filled[-1] + 1)
         share = counts.sum(axis=0) / pairs.sum()
         # Errors of hundreds of narrow bins tell little; shares and percentiles below have theirs.
-        report.overlap = Histogram(
-            edges[filled[0]:filled[-1] + 2], share[kept], numpy.full(len(share[kept]), math.nan), 0.0, 0.0
-        )
+        report.overlap = Histogram(edges[filled[0]:filled[-1] + 2], share[kept], numpy.full(len(share[kept]), math.nan), 0.0, 0.0)
     for at, share in enumerate(wanted.shares):
         mean = _ratio(rows.below[:, at], pairs)
         report.overlaps.append(Quantity(f"overlaps below {100 * share:g} % d", "%", mean, 100))
