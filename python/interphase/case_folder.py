@@ -245,9 +245,7 @@ def anchor_plugins(case):
     written = case.value(COUPLING, "plugins")
     if written is None:
         return
-    anchored = re.sub(
-        r'"(\.\./[^"]*)"', lambda path: '"' + os.path.normpath(os.path.join(case.folder, path[1])) + '"', written
-    )
+    anchored = re.sub(r'"(\.\./[^"]*)"', lambda path: '"' + os.path.normpath(os.path.join(case.folder, path[1])) + '"', written)
     if anchored != written:
         case.set_at_source(COUPLING, "plugins", anchored)
 
@@ -291,9 +289,7 @@ def copy(case_folder, run_folder):
     """Copy what belongs to the case, links followed, so that the run's folder stands alone. A case may be read-only; its copy
     is the user's to write."""
     try:
-        shutil.copytree(
-            case_folder, run_folder, dirs_exist_ok=True, ignore=shutil.ignore_patterns(*LEFT_BY_A_RUN)
-        )
+        shutil.copytree(case_folder, run_folder, dirs_exist_ok=True, ignore=shutil.ignore_patterns(*LEFT_BY_A_RUN))
     except shutil.Error as several:
         source, _, why = several.args[0][0]
         raise InputError(f"cannot copy {source} of the case: {why}; give yourself the right to read it") from None

@@ -137,9 +137,7 @@ def means(a, b, options):
         place, left_out = snapshot_measures.place_of(sources, matching, options.start, options.end)
         notes += left_out
         for side, source in enumerate(sources):
-            times, values = statistical_comparison.snapshot_series(
-                source, matching, options.start, options.end, weigh, place
-            )
+            times, values = statistical_comparison.snapshot_series(source, matching, options.start, options.end, weigh, place)
             spans[side] = max(spans[side], _span(times))
             note_uneven(times, "AB"[side], "snapshots", notes)
             collected[side].update(values)

@@ -9,6 +9,7 @@ import h5py
 import numpy
 
 from interphase.input_error import InputError
+from interphase.stored import attributes, below
 
 
 def open_elsewhere(path):
@@ -70,12 +71,19 @@ def write(run, scene, report):
         fill(file, scene, report)
 
 
+def kept(run):
+    """{path: Stored} of what `write` has put into the results.h5 of `Records`; {} where it has not, or the run has gone on since."""
+    if run.results is None or attributes(run.results, GROUPS[0]).get("recorded_until") != run.last_time():
+        return {}
+    return below(run.results, GROUPS)
+
+
 def fill(file, scene, report):
     """The same of an open file."""
     profiles, histograms = map(file.require_group, GROUPS)
     for group in (profiles, histograms):
         group.attrs["from"], group.attrs["until"] = report.first, report.last
-        group.attrs["snapshots"] = report.snapshots
+        group.attrs["snapshots"], group.attrs["recorded_until"] = report.snapshots, report.recorded
     _fresh(profiles, "front_slice", "full_depth", "window_centre", "pressure_spectrum", "means")
     _fresh(histograms, "overlap", "voidage")
     if report.windows is not None:

@@ -162,8 +162,11 @@ def reported(runs, start=None, end=None, scene_file=None, every=1, progress=lamb
 
 
 def statistics_of(folder):
-    """{path: Stored} of what tools/report would write into results.h5 of the run in `folder`, which stays as it is."""
-    found = reported([opened(folder)])
+    """{path: Stored} of what tools/report has written into results.h5 of the run in `folder`, or would write; the file stays as it is."""
+    run = opened(folder)
+    if kept := report_file.kept(run):
+        return kept
+    found = reported([run])
     with h5py.File("statistics", "w", driver="core", backing_store=False) as file:  # in memory
         report_file.fill(file, found.scene, found.reports[0])
         return stored.within(file, report_file.GROUPS)

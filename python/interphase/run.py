@@ -90,10 +90,9 @@ class Run:
     @property
     def statistics(self):
         """{path: Stored} of the numbers of `tools/report`, such as "profiles/means/pressure_drop": values, unit, and what else it says of
-        them. Those that it has put into results.h5; where it has not been called for this run, the same, which takes as long as a call
-        of it, and the file stays as it is. InputError where there is nothing to report."""
-        reporting = module("reporting")
-        return module("stored").below(self._file("results.h5"), reporting.report_file.GROUPS) or reporting.statistics_of(self.path)
+        them. Those that it has put into results.h5; where it has not been called, or the run has gone on since, the same, which takes as long
+        as a call of it, and the file stays as it is. InputError where there is nothing to report."""
+        return module("reporting").statistics_of(self.path)
 
     def wait(self):
         """Returns when the run is no longer running; errors as of Case.run."""

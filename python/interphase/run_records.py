@@ -68,6 +68,11 @@ class Records:
         """[n] of all snapshots, s; empty where none was recorded."""
         return [frame.time for frame in self.frames()]
 
+    def last_time(self):
+        """Of the last snapshot or row of /series, s; NaN where there is neither."""
+        series = self.series()
+        return max([*self.snapshot_times()[-1:], *([] if series is None else series[0][-1:].tolist())], default=numpy.nan)
+
     def frames(self, only=None):
         """`Frame`s in the order of time; `only`: the data sets to load, all where None."""
         if self.particles is None:

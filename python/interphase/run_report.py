@@ -59,7 +59,7 @@ class Histogram:
 @dataclass
 class RunReport:
     """All of it. `first`, `last`: times of the first and last snapshot [s], of rows of /series where there are no snapshots.
-    `rows`: number and times of the first and last row of /series. `needed`: time to which the run must go at least to tell the end of
+    `recorded`: time to which the run had gone [s]. `rows`: number and times of the first and last row of /series. `needed`: time to which the run must go at least to tell the end of
     its start-up [s]. What is None was not measured."""
 
     snapshots: int
@@ -73,6 +73,7 @@ class RunReport:
     voidage: Optional[Histogram] = None
     voidages: list = field(default_factory=list)
     series: list = field(default_factory=list)
+    recorded: float = math.nan
     rows: tuple = (0, math.nan, math.nan)
     needed: Optional[float] = None
     pressure: Optional[tuple] = None
@@ -128,6 +129,7 @@ def measure(run, scene, chosen, series_chosen, progress=None, unsettled=None):
     if scene.voidage and len(times):
         _voidage(report, scene.voidage, rows)
     _series(report, run, series_chosen)
+    report.recorded = run.last_time()
     if unsettled is not None:
         report.needed = unsettled.needed
         _distrust(report, f"start-up not known to be over: {unsettled.reason}")
@@ -220,9 +222,7 @@ def _overlaps(report, wanted, rows):
         kept = slice(filled[0], filled[-1] + 1)
         share = counts.sum(axis=0) / pairs.sum()
         # Errors of hundreds of narrow bins tell little; shares and percentiles below have theirs.
-        report.overlap = Histogram(
-            edges[filled[0]:filled[-1] + 2], share[kept], numpy.full(len(share[kept]), math.nan), 0.0, 0.0
-        )
+        report.overlap = Histogram(edges[filled[0]:filled[-1] + 2], share[kept], numpy.full(len(share[kept]), math.nan), 0.0, 0.0)
     for at, share in enumerate(wanted.shares):
         mean = _ratio(rows.below[:, at], pairs)
         report.overlaps.append(Quantity(f"overlaps below {100 * share:g} % d", "%", mean, 100))

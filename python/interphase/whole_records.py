@@ -39,9 +39,7 @@ def whole_snapshots(file):
         try:
             found.append((float(group.attrs["time"]), name, group))
         except UNREADABLE:
-            raise InputError(
-                f"{file.filename}:/snapshots/{name}: no attribute `time` that is a number of seconds"
-            ) from None
+            raise InputError(f"{file.filename}:/snapshots/{name}: no attribute `time` that is a number of seconds") from None
     return sorted(found, key=lambda each: each[:2])
 
 

@@ -1,10 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""tools/report finds the means, granular temperatures, overlaps and voidages that made-up beds were made with.
-
-Scenes are written by hand, so that the answers are known: uniform flow, two temperatures, spheres of known overlap, a
-lattice of known packing, means of correlated series of known error.
-"""
+"""tools/report: what it finds in made-up runs of known means, where, from when on, and what it refuses. What it measures of one snapshot is in
+test_bed_statistics.py, of series in test_time_statistics.py and test_start_up.py."""
 
 import contextlib
 import io
@@ -19,27 +16,22 @@ import unittest
 
 import h5py
 import numpy
-from scipy.signal import lfilter
 
 import interphase
-from interphase import bed_statistics, report_scene, report_table, run_report, time_statistics as statistics
+from interphase import bed_statistics, report_scene, report_table, time_statistics as statistics
 from interphase.box_mesh import BoxMesh, box_mesh
 from interphase.commands import report as report_tool
 from interphase.input_error import InputError
 from interphase.report_keys import KEYS
-from interphase.report_scene import Windows
 from interphase.report_vessel import Vessel
 from interphase.run import Run
-from interphase.start_up import FEWEST, start_up_of, truncation
 from interphase.tree import CASES, TOOLS
+from made_up import scattered, steady
 from scratch import InFolder, write, write_results, write_snapshots
 
 SCRIPT = os.path.join(TOOLS, "report")
 
-# A vessel of 0.2 x 0.1 x 0.4 m; windows are 0.1 m wide, z from 0.1 to 0.2 m, the slice 0.01 m deep.
-WINDOWS = Windows(count=2, left=0.0, right=0.2, centre=0.15, height=0.1, front=0.0, front_depth=0.01)
-MESH = BoxMesh((0.0, 0.0, 0.0), (0.2, 0.1, 0.4), (4, 2, 8))
-SIZE = (0.2, 0.1, 0.4)
+SIZE = (0.2, 0.1, 0.4)  # of the vessel [m]
 
 PARAMETERS = "width 0.2;\ndepth 0.1;\nheight 0.4;\nacross 4;\n"
 
@@ -58,217 +50,6 @@ windows { count 2; left 0; right $width; centre 0.15; height 0.1; frontDepth 0.0
 overlaps { shares (0.0025 0.01); percentiles (50 90); }
 voidage { lowest 0.3; highest 1; bins 28; limits (0.5 0.95); }
 """
-
-
-def scattered(count, seed=1, size=SIZE):
-    return numpy.random.default_rng(seed).uniform(0, 1, (count, 3)) * size
-
-
-def correlated(samples, memory, seed):
-    """An autoregressive series of deviation 1: x_t = memory x_(t-1) + noise."""
-    noise = numpy.random.default_rng(seed).normal(0, math.sqrt(1 - memory**2), samples + 1000)
-    return lfilter([1], [1, -memory], noise)[1000:]
-
-
-class Velocity(unittest.TestCase):
-    def moments(self, position, velocity):
-        """Of single particles: number, sums and temperatures."""
-        number, real, sums, temperatures = bed_statistics.window_moments(position, velocity, numpy.ones(len(position)), WINDOWS, False)
-        numpy.testing.assert_array_equal(real, number)
-        return number, sums, temperatures
-
-    def test_uniform_flow_has_its_velocity_everywhere_and_no_temperature(self):
-        position = scattered(5000)
-        number, sums, temperatures = self.moments(position, numpy.tile([0.3, 9.0, -0.7], (5000, 1)))
-        numpy.testing.assert_allclose(sums / number[:, None], [[0.3, -0.7]] * 2, rtol=1e-12)
-        numpy.testing.assert_allclose(temperatures, 0, atol=1e-25)
-
-    def test_two_temperatures(self):
-        """Half of each window's spheres move at u + a, half at u - a: Theta is a^2, in x and z apart; y does not count."""
-        position = scattered(4000)
-        velocity = numpy.zeros((4000, 3))
-        inside = bed_statistics.window_of(position, WINDOWS, False)
-        for window, (a, b) in enumerate([(0.2, 0.5), (0.1, 0.0)]):
-            mine = numpy.flatnonzero(inside == window)[: 2 * (numpy.count_nonzero(inside == window) // 2)]
-            sign = numpy.where(numpy.arange(len(mine)) % 2, 1.0, -1.0)
-            velocity[mine] = numpy.column_stack([1.5 + a * sign, 7 * sign, -2 + b * sign])
-            position[numpy.setdiff1d(numpy.flatnonzero(inside == window), mine), 2] = 0.0  # the odd one goes outside
-        number, sums, temperatures = self.moments(position, velocity)
-        self.assertTrue((number > 100).all() and (number % 2 == 0).all())
-        numpy.testing.assert_allclose(sums / number[:, None], [[1.5, -2.0]] * 2, rtol=1e-12)
-        numpy.testing.assert_allclose(temperatures, [[0.04, 0.25], [0.01, 0.0]], rtol=1e-12, atol=1e-25)
-
-    def test_parcels_count_as_their_particles(self):
-        """Spheres of weights 1 to 5 give what as many single particles at their places and of their velocities give."""
-        random = numpy.random.default_rng(3)
-        position, velocity, weight = scattered(500), random.normal(size=(500, 3)), random.integers(1, 6, 500)
-        number, *of_parcels = bed_statistics.window_moments(position, velocity, weight.astype(float), WINDOWS, False)
-        _, *of_particles = bed_statistics.window_moments(
-            numpy.repeat(position, weight, axis=0), numpy.repeat(velocity, weight, axis=0), numpy.ones(weight.sum()), WINDOWS, False)
-        for parcels, particles in zip(of_parcels, of_particles):
-            numpy.testing.assert_allclose(parcels, particles, rtol=1e-12)
-        self.assertTrue((number < of_parcels[0]).all())
-
-    def test_a_window_is_where_it_says(self):
-        places = {(0.05, 0.05, 0.15): (0, -1), (0.15, 0.005, 0.15): (1, 1), (0.1, 0.005, 0.15): (1, 1),
-                  (0.05, 0.01, 0.1): (0, 0), (0.05, 0.005, 0.2): (-1, -1), (0.05, 0.005, 0.0999): (-1, -1), (-0.01, 0.005, 0.15): (-1, -1),
-                  (0.2, 0.005, 0.15): (-1, -1), (0.21, 0.005, 0.15): (-1, -1)}
-        for front_only, column in ((False, 0), (True, 1)):
-            found = bed_statistics.window_of(numpy.array(list(places)), WINDOWS, front_only)
-            self.assertEqual(list(found), [value[column] for value in places.values()])
-
-    def test_one_sphere_has_no_temperature(self):
-        number, _, temperatures = self.moments(numpy.array([[0.05, 0.05, 0.15]]), numpy.ones((1, 3)))
-        self.assertEqual(list(number), [1, 0])
-        self.assertTrue(numpy.isnan(temperatures).all())
-
-
-class OverlapsOfPairs(unittest.TestCase):
-    def test_known_overlaps_of_one_size(self):
-        d, wanted = 0.01, [0.001, 0.02, 0.3]
-        places = [[0.05 * n + (d * (1 - w) if second else 0), 0.0, 0.0] for n, w in enumerate(wanted) for second in (0, 1)]
-        places += [[0.5, 0, 0], [0.5 + d * 1.0001, 0, 0]]  # these do not touch
-        found = bed_statistics.overlaps(numpy.array(places), numpy.full(8, d))
-        numpy.testing.assert_allclose(sorted(found), wanted, rtol=1e-9)
-
-    def test_mixed_sizes_are_measured_by_the_smaller_sphere(self):
-        position = numpy.array([[0.0, 0, 0], [0, 0.0149, 0], [0, 0.1, 0], [0.004, 0.1, 0]])
-        diameter = numpy.array([0.02, 0.01, 0.005, 0.005])
-        numpy.testing.assert_allclose(sorted(bed_statistics.overlaps(position, diameter)), [0.01, 0.2], rtol=1e-9)
-
-    def test_a_compressed_lattice_has_three_contacts_a_sphere(self):
-        n, d, overlap = 12, 0.01, 0.004
-        grid = numpy.stack(numpy.meshgrid(*[numpy.arange(n)] * 3), -1).reshape(-1, 3) * d * (1 - overlap)
-        found = bed_statistics.overlaps(grid, numpy.full(n**3, d))
-        self.assertEqual(len(found), 3 * n**2 * (n - 1))
-        numpy.testing.assert_allclose(found, overlap, rtol=1e-9)
-
-    def test_none_and_one(self):
-        self.assertEqual(len(bed_statistics.overlaps(numpy.zeros((0, 3)), numpy.zeros(0))), 0)
-        self.assertEqual(len(bed_statistics.overlaps(numpy.zeros((1, 3)), numpy.ones(1))), 0)
-
-    def test_every_overlap_is_counted(self):
-        self.assertEqual(bed_statistics.overlap_counts(numpy.array([1e-12, 1e-3, 1.0, 50.0])).sum(), 4)
-
-
-class VoidageOfCells(unittest.TestCase):
-    def test_solid_volume_is_conserved(self):
-        position, diameter = scattered(2000), numpy.random.default_rng(2).uniform(0.001, 0.03, 2000)
-        solid, outside = bed_statistics.solid_fraction(position, diameter, MESH)
-        self.assertEqual(outside, 0)
-        self.assertAlmostEqual(solid.sum() * MESH.cell_volume / (numpy.pi / 6 * (diameter**3).sum()), 1, delta=1e-12)
-
-    def lattice(self, spacing, shift):
-        axes = [(numpy.arange(-1, round(edge / spacing) + 1) + shift) * spacing for edge in SIZE]
-        return numpy.stack(numpy.meshgrid(*axes, indexing="ij"), -1).reshape(-1, 3)
-
-    def test_a_lattice_has_its_packing_in_every_cell(self):
-        """A simple cubic lattice at contact fills pi/6; here every sphere lies within one cell."""
-        position = self.lattice(0.01, 0.5)
-        solid, _ = bed_statistics.solid_fraction(position, numpy.full(len(position), 0.01), MESH)
-        numpy.testing.assert_allclose(solid, numpy.pi / 6, rtol=1e-12)
-
-    def test_faces_that_cut_all_spheres_in_the_same_place_are_the_worst_case(self):
-        mesh = BoxMesh((0.0, 0.0, 0.0), SIZE, (4, 3, 7))
-        position = self.lattice(0.004, 0.5)
-        solid, _ = bed_statistics.solid_fraction(position, numpy.full(len(position), 0.004), mesh)
-        numpy.testing.assert_allclose(solid, numpy.pi / 6, rtol=0.025)
-
-    def test_a_random_bed_is_known_to_a_part_of_a_thousand(self):
-        """Spheres a fifth of a cell wide, a solid fraction of 0.5 on average, against the same with 4,096 points each."""
-        position, diameter = scattered(7600), numpy.full(7600, 0.01)
-        found, _ = bed_statistics.solid_fraction(position, diameter, MESH)
-        fine, _ = bed_statistics.solid_fraction(position, diameter, MESH, 4096)
-        self.assertLess(numpy.sqrt(numpy.mean((found - fine) ** 2)), 1.5e-3)
-
-    def test_a_sphere_on_a_face_an_edge_and_a_corner_is_halved_quartered_divided_by_eight(self):
-        for axes, parts in (((0,), 2), ((0, 2), 4), ((0, 1, 2), 8)):
-            centre = numpy.array([0.025, 0.025, 0.025])
-            centre[list(axes)] = 0.05
-            solid, _ = bed_statistics.solid_fraction(centre[None], numpy.array([0.03]), MESH)
-            shares = solid[solid > 0] * MESH.cell_volume / (numpy.pi / 6 * 0.03**3)
-            self.assertEqual(len(shares), parts)
-            numpy.testing.assert_allclose(shares, 1 / parts, atol=0.04)
-
-    def test_a_cap_has_its_share(self):
-        """A plane at c radii from the centre cuts off (2 - 3 c + c^3) / 4 of the ball, from whichever side."""
-        errors = []
-        for c in numpy.linspace(-0.95, 0.95, 39):
-            for axis in range(3):
-                centre = numpy.full(3, 0.025)
-                centre[axis] = 0.05 - 0.01 * c
-                solid, _ = bed_statistics.solid_fraction(centre[None], numpy.array([0.02]), MESH)
-                errors.append(solid[tuple(int(a == axis) for a in range(3))] * MESH.cell_volume / (numpy.pi / 6 * 0.02**3)
-                              - (2 - 3 * c + c**3) / 4)
-        self.assertLess(numpy.sqrt(numpy.mean(numpy.square(errors))), 0.02)
-
-    def test_what_sticks_out_stays_and_what_is_outside_is_counted(self):
-        solid, outside = bed_statistics.solid_fraction(
-            numpy.array([[0.001, 0.001, 0.001], [0.3, 0.05, 0.1]]), numpy.array([0.01, 0.01]), MESH
-        )
-        self.assertEqual(outside, 1)
-        self.assertAlmostEqual(solid[0, 0, 0] * MESH.cell_volume, numpy.pi / 6 * 1e-6, delta=1e-18)
-
-    def test_the_points_are_a_ball(self):
-        points = bed_statistics.ball_points(bed_statistics.SPLIT)
-        numpy.testing.assert_allclose(points.mean(axis=0), 0, atol=1e-15)
-        numpy.testing.assert_allclose(points.T @ points / len(points), numpy.eye(3) / 5, atol=1e-12)
-        self.assertLess(numpy.linalg.norm(points, axis=1).max(), 1.001)
-
-
-class Errors(unittest.TestCase):
-    def test_a_ratio_and_its_error(self):
-        """Over 150 records, the true ratio lies within 2 standard errors in some 95 %."""
-        inside = 0
-        for seed in range(150):
-            number = 100 + 20 * correlated(400, 0.8, 3 * seed)
-            velocity = 0.3 + 0.1 * correlated(400, 0.8, 3 * seed + 1)
-            found = statistics.ratio_with_error(number * velocity, number)
-            inside += abs(found.value - 0.3) < 2 * found.error
-        self.assertGreater(inside / 150, 0.88)
-        self.assertLess(inside / 150, 0.99)
-
-    def test_a_ratio_that_never_changes_has_no_error(self):
-        number = numpy.random.default_rng(1).integers(0, 50, 100)
-        found = statistics.ratio_with_error(0.3 * number, number)
-        self.assertAlmostEqual(found.value, 0.3, delta=1e-12)
-        self.assertLess(found.error, 1e-12)
-        with self.assertRaises(ValueError):
-            statistics.ratio_with_error(numpy.zeros(30), numpy.zeros(30))
-
-    def test_what_is_seen_in_few_samples_has_no_error(self):
-        """One sphere that crosses a window once in 75 snapshots has a velocity, but no error, least of all 0."""
-        number = numpy.zeros(75)
-        number[40] = 1
-        found = statistics.ratio_with_error(0.7 * number, number)
-        self.assertAlmostEqual(found.value, 0.7)
-        self.assertTrue(math.isnan(found.error))
-        self.assertIn("1 sample that hold anything", found.reason)
-        self.assertTrue(math.isnan(statistics.mean_with_error([3.0]).error))
-
-    def test_a_quantile_and_its_error(self):
-        """Values uniform between 0 and 1 plus a shift common to each snapshot: the quantile moves with the shift's mean."""
-        edges, random, inside = numpy.linspace(-3, 4, 1401), numpy.random.default_rng(5), 0
-        for seed in range(50):
-            shifts = 0.1 * correlated(200, 0.6, seed)
-            values = random.uniform(0, 1, (200, 400)) + shifts[:, None]
-            counts = [numpy.histogram(row, edges)[0] for row in values]
-            found = statistics.quantile_with_error(counts, edges, 0.5)
-            self.assertAlmostEqual(found.value, numpy.median(values), delta=0.006)
-            inside += abs(found.value - 0.5) < 2 * found.error
-        self.assertGreater(inside, 42)
-
-    def test_a_quantile_of_few_snapshots_has_no_error(self):
-        found = statistics.quantile_with_error([[0, 10, 10, 0], [0, 11, 9, 0], [0, 9, 11, 0]], [0, 1, 2, 3, 4], 0.75)
-        self.assertAlmostEqual(found.value, 2.5)
-        self.assertTrue(math.isnan(found.error) and found.reason)
-
-    def test_the_spectrum_peaks_at_the_frequency_and_holds_the_variance(self):
-        time = numpy.arange(0, 50, 0.05)
-        frequency, power = run_report.spectrum(time, 200 * numpy.sin(2 * numpy.pi * 1.6 * time))
-        self.assertAlmostEqual(frequency[power.argmax()], 1.6, delta=0.05)
-        self.assertAlmostEqual(power.sum() * (frequency[1] - frequency[0]), 200**2 / 2, delta=0.02 * 200**2 / 2)
-        self.assertIsNone(run_report.spectrum(time[:100], time[:100]))
 
 
 class Table(unittest.TestCase):
@@ -312,18 +93,18 @@ class Folder(InFolder):
         """300 spheres at 20 Hz: vertical velocity 0.5 + `shift` on average, shared deviations of 0.2, an overlap of 1e-3."""
         folder = self.case(name) if case else os.path.join(self.root, name)
         random = numpy.random.default_rng(seed)
-        together = 0.2 * correlated(snapshots, 0.5, seed)
+        together = 0.2 * steady(snapshots, 0.5, seed)
 
         def spheres(n):
-            position = scattered(300, seed=1000 * seed + n) * 0.9 + 0.005
+            position = scattered(300, SIZE, 1000 * seed + n) * 0.9 + 0.005
             position[:2] = [[0.1, 0.05, 0.39], [0.1, 0.05 + 0.001 * (1 - 1e-3), 0.39]]
             velocity = [random.normal(0, 0.3, 300), random.normal(0, 1, 300), 0.5 + shift + together[n] + random.normal(0, 0.6, 300)]
             return {"id": numpy.arange(1, 301), "position": position, "velocity": numpy.column_stack(velocity), "diameter": numpy.full(300, 0.001)}
 
         write_snapshots(folder, [(0.05 * n, spheres(n)) for n in range(snapshots)])
         if results:
-            series = {"time": 0.05 * numpy.arange(1, snapshots), "pressure_drop": 900 + 100 * correlated(snapshots - 1, 0.5, seed + 1),
-                      "bed_height": numpy.full(snapshots - 1, 0.3), "kinetic_energy": 0.1 + 0.01 * correlated(snapshots - 1, 0.5, seed + 2)}  # fmt: skip
+            series = {"time": 0.05 * numpy.arange(1, snapshots), "pressure_drop": 900 + 100 * steady(snapshots - 1, 0.5, seed + 1),
+                      "bed_height": numpy.full(snapshots - 1, 0.3), "kinetic_energy": 0.1 + 0.01 * steady(snapshots - 1, 0.5, seed + 2)}  # fmt: skip
             write_results(folder, series, weight=weight, **({"wall_time": 12.0} if ended else {}))
         return folder
 
@@ -450,47 +231,6 @@ class WholeReport(Folder):
         self.assertEqual(scene.voidage.mesh, BoxMesh((0, 0, 0), (0.2286, 0.0762, 1.2192), (16, 4, 85)))
         numpy.testing.assert_allclose(numpy.diff(edges), 0.0457, atol=5e-5)
         self.assertEqual((scene.windows.centre, scene.windows.front_depth, report_scene.start_of(file)), (0.0762, 0.003, 10))
-
-
-class StartUpOfSeries(unittest.TestCase):
-    def test_a_steady_series_has_none_and_a_ramp_no_end(self):
-        self.assertEqual(truncation(numpy.full(200, 3.7)), 0)
-        self.assertEqual(truncation(numpy.zeros(200)), 0)
-        self.assertIsNone(truncation(numpy.arange(200.0)))
-        self.assertIsNone(truncation(numpy.full(FEWEST - 1, 1.0)))
-        self.assertRaises(ValueError, truncation, [1.0, math.nan] * 20)
-
-    def test_the_approach_to_rest_ends(self):
-        """1 - exp(-t/10): within a thousandth, the share that counts as none, after 69 samples; MSER weighs it against length."""
-        for samples in (300, 1000):
-            self.assertTrue(40 <= truncation(1 - numpy.exp(-numpy.arange(samples) / 10)) <= 100)
-
-    def test_few_steady_records_are_too_short_to_tell(self):
-        """Records of 100 samples whose neighbours correlate by 0.5: of 300 none was."""
-        self.assertLess(sum(truncation(correlated(100, 0.5, seed)) is None for seed in range(100)), 5)
-
-    def test_a_start_up_of_known_length_is_left_out(self):
-        """Five deviations off for 200 of 1,000 samples, 100 records: at most 20 samples of it stay, more than half of the rest does;
-        of the records without any, few are too short to tell."""
-        step = numpy.where(numpy.arange(1000) < 200, 5.0, 0.0)
-        found = [truncation(correlated(1000, 0.7, seed) + step) for seed in range(100)]
-        self.assertGreater(sum(cut is not None and 180 <= cut for cut in found), 90)
-        self.assertLess(numpy.median([cut for cut in found if cut is not None]), 300)
-        none = [truncation(correlated(1000, 0.7, seed)) for seed in range(100)]
-        self.assertGreater(sum(cut is not None for cut in none), 80)
-
-    def test_the_latest_series_decides_and_what_cannot_be_judged_is_named(self):
-        times = 0.01 * numpy.arange(1, 401)
-        late = numpy.where(times < 1.5, 5.0, 0.0) + correlated(400, 0.3, 1)
-        found = start_up_of(times, {"pressure_drop": numpy.full(400, numpy.nan), "bed_height": numpy.ones(400), "kinetic_energy": late})
-        self.assertTrue(1.5 <= found.end + 1e-9 <= 1.7)  # none of the start-up stays, little else goes
-        self.assertEqual(found.by, "kinetic energy")
-        found = start_up_of(times, {"particles": 5 * times, "kinetic_energy": late})
-        self.assertIsNone(found.end)
-        self.assertIn("number of particles not steady", found.reason)
-        self.assertAlmostEqual(found.needed, 7.99)
-        self.assertAlmostEqual(start_up_of(times[:10], {"particles": times[:10]}).needed, 0.4)  # 40 rows
-        self.assertIsNone(start_up_of(times, {}).end)
 
 
 class WithoutConfiguration(Folder):
@@ -620,6 +360,12 @@ class WithoutConfiguration(Folder):
         for name, each in stored.items():
             numpy.testing.assert_array_equal(computed[name].values, each.values, name)
             self.assertEqual((computed[name].unit, list(computed[name].attributes)), (each.unit, list(each.attributes)))
+        with h5py.File(os.path.join(run, "results.h5"), "r+") as file:  # the run goes on
+            for name, values in [(name, data[()]) for name, data in file["series"].items()]:
+                del file["series"][name]
+                file["series"][name] = numpy.append(values, values[-1] + (0.05 if name == "time" else 100))
+        later = interphase.Run(run).statistics["profiles/means/pressure_drop"]
+        self.assertNotEqual(later.values, stored["profiles/means/pressure_drop"].values)
 
     def test_vessels_that_differ(self):
         a, b = self.bare("a", 60, domain=[[0, 0, 0], [0.2, 0.1, 0.4]]), self.bare("b", 60, domain=[[0, 0, 0], [0.3, 0.1, 0.4]])

@@ -241,6 +241,12 @@ class Fields(Folder):
                 with self.assertRaisesRegex(InputError, "torn"):
                     self.read(whole[: whole.index(values) + len(values) - 8])
 
+    def test_of_a_rank_without_cells(self):
+        """OpenFOAM then writes neither kind nor numbers."""
+        path = os.path.join(self.root, "U")
+        write(path, "FoamFile { version 2.0; format ascii; class volVectorField; object U; }\ninternalField   nonuniform 0();\nboundaryField { }\n")
+        self.assertEqual(foam_field.internal_field(path).values.shape, (0, 3))
+
     def test_one_value_for_all(self):
         self.assertEqual(self.read(b"internalField uniform (0 0 1);"), "uniform (0 0 1)")
         self.assertEqual(self.read(b"internalField uniform 101325;", more=-101325.0), "uniform 0.0")

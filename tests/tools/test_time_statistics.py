@@ -11,8 +11,8 @@ from statsmodels.regression import linear_model
 from statsmodels.tsa.arima_process import ArmaProcess
 
 import measured
-from interphase import time_statistics as statistics
-from made_up import correlated
+from interphase import run_report, time_statistics as statistics
+from made_up import correlated, steady
 
 # Period 10, decay 20 samples: a slugging bed at 20 Hz.
 SLUGGING = (2 * math.exp(-1 / 20) * math.cos(2 * math.pi / 10), -math.exp(-1 / 10))
@@ -141,6 +141,61 @@ class MeanAndItsError(unittest.TestCase):
         # 5 % of 400, binomial deviation 4.4
         measured.below(self, "tools/compare --statistics: false alarms at 95 %, 400 pairs of correlated records of one mean", alarms, 20 + 3 * 4.4, "",
                        "20 expected")
+
+
+class OfRatiosAndQuantiles(unittest.TestCase):
+    def test_a_ratio_and_its_error(self):
+        """Over 150 records, the true ratio lies within 2 standard errors in some 95 %."""
+        inside = 0
+        for seed in range(150):
+            number = 100 + 20 * steady(400, 0.8, 3 * seed)
+            velocity = 0.3 + 0.1 * steady(400, 0.8, 3 * seed + 1)
+            found = statistics.ratio_with_error(number * velocity, number)
+            inside += abs(found.value - 0.3) < 2 * found.error
+        self.assertGreater(inside / 150, 0.88)
+        self.assertLess(inside / 150, 0.99)
+
+    def test_a_ratio_that_never_changes_has_no_error(self):
+        number = numpy.random.default_rng(1).integers(0, 50, 100)
+        found = statistics.ratio_with_error(0.3 * number, number)
+        self.assertAlmostEqual(found.value, 0.3, delta=1e-12)
+        self.assertLess(found.error, 1e-12)
+        with self.assertRaises(ValueError):
+            statistics.ratio_with_error(numpy.zeros(30), numpy.zeros(30))
+
+    def test_what_is_seen_in_few_samples_has_no_error(self):
+        """One sphere that crosses a window once in 75 snapshots has a velocity, but no error, least of all 0."""
+        number = numpy.zeros(75)
+        number[40] = 1
+        found = statistics.ratio_with_error(0.7 * number, number)
+        self.assertAlmostEqual(found.value, 0.7)
+        self.assertTrue(math.isnan(found.error))
+        self.assertIn("1 sample that hold anything", found.reason)
+        self.assertTrue(math.isnan(statistics.mean_with_error([3.0]).error))
+
+    def test_a_quantile_and_its_error(self):
+        """Values uniform between 0 and 1 plus a shift common to each snapshot: the quantile moves with the shift's mean."""
+        edges, random, inside = numpy.linspace(-3, 4, 1401), numpy.random.default_rng(5), 0
+        for seed in range(50):
+            shifts = 0.1 * steady(200, 0.6, seed)
+            values = random.uniform(0, 1, (200, 400)) + shifts[:, None]
+            counts = [numpy.histogram(row, edges)[0] for row in values]
+            found = statistics.quantile_with_error(counts, edges, 0.5)
+            self.assertAlmostEqual(found.value, numpy.median(values), delta=0.006)
+            inside += abs(found.value - 0.5) < 2 * found.error
+        self.assertGreater(inside, 42)
+
+    def test_a_quantile_of_few_snapshots_has_no_error(self):
+        found = statistics.quantile_with_error([[0, 10, 10, 0], [0, 11, 9, 0], [0, 9, 11, 0]], [0, 1, 2, 3, 4], 0.75)
+        self.assertAlmostEqual(found.value, 2.5)
+        self.assertTrue(math.isnan(found.error) and found.reason)
+
+    def test_the_spectrum_peaks_at_the_frequency_and_holds_the_variance(self):
+        time = numpy.arange(0, 50, 0.05)
+        frequency, power = run_report.spectrum(time, 200 * numpy.sin(2 * numpy.pi * 1.6 * time))
+        self.assertAlmostEqual(frequency[power.argmax()], 1.6, delta=0.05)
+        self.assertAlmostEqual(power.sum() * (frequency[1] - frequency[0]), 200**2 / 2, delta=0.02 * 200**2 / 2)
+        self.assertIsNone(run_report.spectrum(time[:100], time[:100]))
 
 
 if __name__ == "__main__":

@@ -92,9 +92,7 @@ def loose_bed(count, diameter, box, fill, jitter, seed):
         raise InputError(f"{what} would reach {fill:g} m above the bottom, the box is {height:g} m high")
     sites, gap = loose_sites(count, diameter, box, fill)
     if sites is None:
-        raise InputError(
-            f"the box is narrower than one sphere of {diameter:g} m: {box.lengths[0]:g} x {box.lengths[1]:g} m"
-        )
+        raise InputError(f"the box is narrower than one sphere of {diameter:g} m: {box.lengths[0]:g} x {box.lengths[1]:g} m")
     if gap < 0:
         nx, ny = int(box.lengths[0] / diameter), int(box.lengths[1] / diameter)
         least = -(-count // (nx * ny)) * diameter
@@ -114,12 +112,7 @@ def loose_bed(count, diameter, box, fill, jitter, seed):
         left = count - k * nx * ny
         for site in range(nx * ny) if left >= nx * ny else spread_evenly(left, nx * ny):
             where = (site % nx, site // nx, k)
-            centres.append(
-                tuple(
-                    box.low[a] + (where[a] + 0.5) * spacing[a] + reach[a] * (2 * draw() - 1)
-                    for a in range(3)
-                )
-            )
+            centres.append(tuple(box.low[a] + (where[a] + 0.5) * spacing[a] + reach[a] * (2 * draw() - 1) for a in range(3)))
     return centres
 
 
@@ -130,9 +123,7 @@ def grid_bed(voidage, lattice, diameter, region):
     if NEAREST[lattice] * edge < diameter * (1 - 1e-12):
         touching = diameter / NEAREST[lattice]
         least = 1 - len(places) * sphere_volume(diameter) / touching**3
-        raise InputError(
-            f"spheres on a {lattice} lattice overlap below a voidage of {least:.4g}, asked for {voidage:g}"
-        )
+        raise InputError(f"spheres on a {lattice} lattice overlap below a voidage of {least:.4g}, asked for {voidage:g}")
     cells = []
     for axis, length in zip("xyz", region.lengths):
         n = round(length / edge)
@@ -194,9 +185,7 @@ def write(path, atoms, density, box, types):
 
 
 def arguments(argv):
-    parser = argparse.ArgumentParser(
-        prog="bed", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(prog="bed", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     six = {"nargs": 6, "type": float, "metavar": ("XLO", "XHI", "YLO", "YHI", "ZLO", "ZHI")}
     parser.add_argument("--out", required=True, metavar="FILE", help="data file to write")
     size = parser.add_mutually_exclusive_group(required=True)
@@ -209,9 +198,7 @@ def arguments(argv):
     parser.add_argument("--density", required=True, type=float, metavar="R", help="of the spheres [kg/m3]")
     parser.add_argument("--box", required=True, **six, help="the LIGGGHTS domain [m]")
     parser.add_argument("--region", **six, help="part of the box to fill [m] (default: all of it)")
-    parser.add_argument(
-        "--types", type=int, default=2, metavar="N", help="atom types of the scene (default 2: spheres, walls)"
-    )
+    parser.add_argument("--types", type=int, default=2, metavar="N", help="atom types of the scene (default 2: spheres, walls)")
     mixed = parser.add_argument_group("mixed bed")
     mixed.add_argument("--shares", choices=("number", "mass"), help="what shares and median are of (default number)")
     mixed.add_argument("--cut", nargs=2, type=float, metavar=("LOW", "HIGH"), help="of a lognormal distribution [m]")
@@ -225,16 +212,12 @@ def arguments(argv):
     height = loose.add_mutually_exclusive_group()
     height.add_argument("--fill", type=float, metavar="H", help="height of the bed above the bottom [m]")
     height.add_argument("--packing", type=float, metavar="F", help="solid fraction of the bed, instead of --fill")
-    loose.add_argument(
-        "--jitter", type=float, metavar="J", help="share of the free gap used for disorder, 0 to 1 (default 0.9)"
-    )
+    loose.add_argument("--jitter", type=float, metavar="J", help="share of the free gap used for disorder, 0 to 1 (default 0.9)")
     loose.add_argument("--seed", type=int, metavar="S", help="of the disorder (default 1)")
     exact = parser.add_argument_group("exact bed")
     exact.add_argument("--grid", action="store_true", help="regular lattice of exactly --voidage")
     exact.add_argument("--voidage", type=float, metavar="E", help="of the lattice")
-    exact.add_argument(
-        "--lattice", choices=sorted(LATTICES), help="cubic: voidage above 0.476; bcc: 0.320 (default); fcc: 0.260"
-    )
+    exact.add_argument("--lattice", choices=sorted(LATTICES), help="cubic: voidage above 0.476; bcc: 0.320 (default); fcc: 0.260")
     options = parser.parse_args(argv)
 
     def needs(holds, message):
@@ -309,9 +292,7 @@ def main(argv=None):
         elif options.grid:
             centres = grid_bed(options.voidage, options.lattice, options.diameter, region)
             if options.count not in (None, len(centres)):
-                raise InputError(
-                    f"the lattice has {len(centres)} spheres in this region, --count asks for {options.count}"
-                )
+                raise InputError(f"the lattice has {len(centres)} spheres in this region, --count asks for {options.count}")
         else:
             area = region.lengths[0] * region.lengths[1]
             fill = options.fill or options.count * sphere_volume(options.diameter) / (options.packing * area)

@@ -82,12 +82,8 @@ def arguments(given):
     )
     parser.add_argument("--same-times", action="store_true", help="times that only one side has are a difference")
     parser.add_argument("--statistics", action="store_true", help="compare means over time, for chaotic flows")
-    parser.add_argument(
-        "--confidence", metavar="C", type=share, help="of --statistics' verdict, between 0 and 1 (default: 0.99)"
-    )
-    parser.add_argument(
-        "--json", action="store_true", help="print everything as JSON, with the largest difference at each time"
-    )
+    parser.add_argument("--confidence", metavar="C", type=share, help="of --statistics' verdict, between 0 and 1 (default: 0.99)")
+    parser.add_argument("--json", action="store_true", help="print everything as JSON, with the largest difference at each time")
     options = parser.parse_args(given)
     check_order(options.start, options.end)
     options.only = [name.strip() for names in options.only for name in names.split(",") if name.strip()]

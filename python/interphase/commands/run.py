@@ -71,9 +71,7 @@ def arguments():
         "--set", metavar="KEY=VALUE", action="append", default=[], dest="settings",
         help="change an entry of `parameters`, or of the coupling, or FILE:ENTRY=VALUE; may be given again",
     )
-    parser.add_argument(
-        "--out", metavar="DIR", help="the run's folder (default: runs/<case>-<method>-w<weight>[-<N>ranks])"
-    )
+    parser.add_argument("--out", metavar="DIR", help="the run's folder (default: runs/<case>-<method>-w<weight>[-<N>ranks])")
     parser.add_argument("--overwrite", action="store_true", help="replace an earlier run in the run's folder")
     parser.add_argument(
         "--resume", action="store_true",
@@ -159,9 +157,7 @@ def check_folder(folder, case_path, overwrite):
     """Refuse a folder that the engines cannot take, or that holds what must not be lost."""
     unfit = re.search(r"[\s\"';{}$\\]", folder)
     if unfit:
-        raise InputError(
-            f"'{folder}': OpenFOAM bears no '{unfit[0]}' in a path; give another folder by --out DIR"
-        )
+        raise InputError(f"'{folder}': OpenFOAM bears no '{unfit[0]}' in a path; give another folder by --out DIR")
     inside = os.path.realpath(folder)
     case = os.path.realpath(case_path)
     if os.path.commonpath([inside, case]) in (inside, case):
