@@ -5,7 +5,7 @@ from matplotlib.font_manager import FontProperties
 from matplotlib.textpath import text_to_path
 from matplotlib.ticker import FixedLocator
 
-APART = 2.0  # pixels at least, between two labels
+APART = 5.0  # pixels at least, between two labels
 
 
 def width_of(text, size):
