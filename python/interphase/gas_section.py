@@ -27,17 +27,23 @@ class GasSections:
 
     def __init__(self, folder, y):
         self.folder, self.y = folder, y
-        self._cells = {}
+        self._cells, self._times = {}, {}
 
     def times(self, field):
-        """{time [s]: folders that together hold `field` at it}, ascending."""
+        """{time [s]: folders that together hold `field` at it}, ascending; looked for once."""
+        if field not in self._times:
+            self._times[field] = self._find(field)
+        return self._times[field]
+
+    def _find(self, field):
         found = {}
+        whole = gas_mesh.pieces(self.folder) == [self.folder]
         ranks = gas_mesh.ranks(self.folder)
         for name, time in parts.times(ranks[0]).items() if ranks else ():
             if all(foam_field.path_of(os.path.join(rank, name), field) for rank in ranks):
                 found[time] = [os.path.join(rank, name) for rank in ranks]
         for name, time in parts.times(self.folder).items():
-            if foam_field.path_of(os.path.join(self.folder, name), field) and gas_mesh.pieces(self.folder) == [self.folder]:
+            if whole and foam_field.path_of(os.path.join(self.folder, name), field):
                 found[time] = [os.path.join(self.folder, name)]
         for time in {min(found, default=None), max(found, default=None)} - {None}:
             # The start is what the case asks for, maybe in the words of its `parameters`; the last one may still be being written.

@@ -2,15 +2,15 @@
 """Words of a picture that do not run into each other: wrapped by their measured widths, tick labels thinned until none touch."""
 
 from matplotlib.font_manager import FontProperties
-from matplotlib.textpath import TextPath
+from matplotlib.textpath import text_to_path
 from matplotlib.ticker import FixedLocator
 
-APART = 2.0  # pixels at least, between two labels
+APART = 5.0  # pixels at least, between two labels
 
 
 def width_of(text, size):
     """Of a line of text at `size` points, in inches."""
-    return TextPath((0, 0), text, prop=FontProperties(size=size)).get_extents().width / 72 if text.strip() else 0.0
+    return text_to_path.get_text_width_height_descent(text, FontProperties(size=size), False)[0] / 72
 
 
 def wrapped(parts, size, width):
@@ -41,7 +41,7 @@ def touch(one, other):
 
 def thin(figure):
     """Take away tick labels until none touches another one of the figure; ticks without a label go with it."""
-    figure.canvas.draw()
+    figure.draw_without_rendering()
     for axes in figure.axes:
         for which in "xy":
             axis = axes.xaxis if which == "x" else axes.yaxis
@@ -50,7 +50,7 @@ def thin(figure):
                 if not any(touch(one[1], other[1]) for one, other in zip(found, found[1:])):
                     break
                 axis.set_major_locator(FixedLocator([place for place, _ in found][::2]))
-                figure.canvas.draw()
+                figure.draw_without_rendering()
     # Of neighbours' labels that meet, the later ones go.
     kept = []
     for axes in figure.axes:

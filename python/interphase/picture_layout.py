@@ -10,7 +10,7 @@ HIGHEST = 6.0  # all panels together
 TIME, TICKS, LINE, SMALL = 0.24, 0.44, 0.2, 0.15  # above a panel, below it, and lines of text
 PROFILE = 2.5  # a profile over the height, with its label
 CURVES, ABOVE_CURVES, BELOW_CURVES, BETWEEN = 1.35, 0.3, 0.45, 0.95
-BESIDE = 1.0  # height over width from which on the gas stands beside the particles, not below
+BESIDE, BESIDE_ONE = 1.4, 0.7  # height over width from which on the gas stands beside the particles, not below: in a strip, and of one or two times
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,7 @@ class Layout:
 def layout(times, gas, runs, aspect, profile=False, highest=HIGHEST):
     """For `times` snapshots of each of `runs`, with a panel of the gas for each where `gas`; `aspect`: height over width of a panel;
     `profile`: whether a profile stands at the right; `highest`: of all panels together."""
-    beside = gas and aspect >= BESIDE
+    beside = gas and aspect >= (BESIDE if times > 2 else BESIDE_ONE)
     across = times * (2 if beside else 1)
     rows = 2 if gas and not beside else 1
     width = {1: 4.2, 2: 2.9, 3: 2.4, 4: 2.1}.get(across, max(9.6 / across, 1.15))

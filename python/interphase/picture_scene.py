@@ -4,6 +4,7 @@
 import os
 import re
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy
 
@@ -48,7 +49,7 @@ class Scene:
         self.walls = Walls(script_walls.read(path), meshes, self.depth, gas_mesh.closed_patches(path))
         self.gas = GasSections(path, self.walls.y)
 
-    @property
+    @cached_property
     def depth(self):
         """(front, back) of the vessel in y, m."""
         if self.domain is not None:
@@ -78,7 +79,8 @@ class Scene:
 
     def has_gas_at(self, time, field):
         """Whether `field` was written at `time` [s]."""
-        return any(same_time(time, each) for each in self.gas.times(field))
+        times = numpy.array(list(self.gas.times(field)))
+        return bool(len(times)) and same_time(time, times[numpy.argmin(numpy.abs(times - time))])
 
     def chosen(self, count, gas, until=numpy.inf):
         """Up to `count` snapshots at evenly spaced times, the last one before `until` [s] included; of those with fields of the gas where `gas` asks
@@ -107,14 +109,18 @@ class Scene:
         words = []
         if "real_particles" in self.meta:
             real, tracked = (float(self.meta[name]) for name in ("real_particles", "particles"))
-            words.append(f"{real:,.0f} particle" + ("s" if real != 1 else "") + (f" as {tracked:,.0f} parcels" if tracked != real else ""))
+            most = float(self.series["particles"].values.max(initial=0.0)) if "particles" in self.series else tracked
+            if most > tracked or float(self.meta.get("particles_at_start", tracked)) != tracked:
+                words.append(f"up to {most:,.0f} tracked particles")  # they come and go
+            else:
+                words.append(f"{real:,.0f} particle" + ("s" if real != 1 else "") + (f" as {tracked:,.0f} parcels" if tracked != real else ""))
         if self.domain is None:
             return words
         words += [f"{name} {value:g} m/s" for name, value in self.velocities.items()]
         words += [f"drag {self.meta['drag_law']}"] if self.meta.get("drag_law", "none") != "none" else []
         return words + ([f"gas step {self.meta['gas_step'] * 1000:.3g} ms"] if "gas_step" in self.meta else [])
 
-    @property
+    @cached_property
     def parameters(self):
         """{name: text} of the case's `parameters`, {} where it has none that can be read."""
         path = os.path.join(self.run.path, parameters.PARAMETERS)
