@@ -75,7 +75,7 @@ def _tables(place):
     found = [read(name) for name in place[1].split()]
     rows = [tables.markdown_row(cell.replace("|", "\\|").replace("<", "\\<") for cell in _shown(row)) for _, rows in found for row in rows]
     heads = dict.fromkeys("; ".join(head) for head, _ in found if head)
-    return "\n".join([tables.markdown_head(["what", "measured", "right value", "the test allows", "by", "command"]), *rows, "",
+    return "\n".join([tables.markdown_head(["what", "measured", "reference", "the test allows", "source", "command"]), *rows, "",
                       *(f"*{head}.*  " for head in heads)])  # fmt: skip
 
 
@@ -98,7 +98,8 @@ def _head():
         flags = set(re.search(r"^flags\s*:(.*)$", file.read(), re.M)[1].split())
     sets = [name for name, flag in (("AVX-512", "avx512f"), ("AVX2", "avx2"), ("AVX", "avx"), ("SSE2", "sse2")) if flag in flags]
     program = subprocess.run([os.path.join(BUILD, "interphase"), "-version"], capture_output=True, text=True, check=True).stdout
-    return [datetime.date.today().isoformat(), program.splitlines()[0], f"{platform.machine()} with {sets[0]}, {os.cpu_count()} cores"]
+    program = re.sub(r"\b([0-9a-f]{10})[0-9a-f]{30}\b", r"\1", program.splitlines()[0])
+    return [datetime.date.today().isoformat(), program, f"{platform.machine()} with {sets[0]}, {os.cpu_count()} cores"]
 
 
 def store(folder):
