@@ -97,7 +97,7 @@ class OpenedInParaView(support.ProgramTest):
         done, found, picture = self.opened(ranks)
         last = done.last()
         self.assertEqual(len(found["particle times"]), 3)  # start, two write times
-        for seen, written in zip(found["particle times"], sorted(snapshots)):
+        for seen, written in zip(found["particle times"], sorted(done.snapshots())):
             self.assertAlmostEqual(seen, written, delta=1e-11)  # the XDMF has twelve digits
         self.assertEqual(found["points"], len(last["id"]))
         self.assertEqual(found["arrays"], ARRAYS)

@@ -117,9 +117,12 @@ TEST(Provenance, IsReadBackAsItWasRecorded)
     const auto word = [&](const char* object, const char* name) {
         const Hdf5Handle attribute(H5Aopen_by_name(file, object, name, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, name);
         const Hdf5Handle type(H5Aget_type(attribute), H5Tclose, name);
-        std::string value(H5Tget_size(type), '\0');
-        EXPECT_GE(H5Aread(attribute, type, value.data()), 0) << name;
-        return value;
+        EXPECT_GT(H5Tis_variable_str(type), 0) << name;
+        char* value = nullptr;
+        EXPECT_GE(H5Aread(attribute, type, static_cast<void*>(&value)), 0) << name;
+        std::string words(value);
+        H5free_memory(value);
+        return words;
     };
     EXPECT_EQ(word("/meta", "version"), "1.2.3");
     EXPECT_EQ(word("/meta", "commit"), "c0ffee");
