@@ -176,12 +176,31 @@ std::size_t Hdf5File::length(const std::string& path)
 void Hdf5File::append(const std::string& path, const std::string& unit, const std::vector<double>& values)
 {
     if (columns_.find(path) == columns_.end() && !there(file_, path)) make_column(path, unit);
-    Column& to = column(path);
+    append(column(path), values);
+}
+
+void Hdf5File::remember(const std::string& group, const std::vector<std::string>& paths)
+{
+    std::vector<Column*>& all = remembered_[group];
+    all.clear();
+    for (const std::string& path : paths)
+        all.push_back(&column(path));
+}
+
+void Hdf5File::append_to(const std::string& group, const std::vector<const std::vector<double>*>& values)
+{
+    const std::vector<Column*>& all = remembered_.at(group);
+    for (std::size_t n = 0; n < all.size(); ++n)
+        append(*all[n], *values[n]);
+}
+
+void Hdf5File::append(Column& to, const std::vector<double>& values)
+{
     const hsize_t added = values.size(), count = to.rows + added;
-    demand(H5Dset_extent(to.data_set, &count), path);
+    demand(H5Dset_extent(to.data_set, &count), "rows");
     const Hdf5Handle target(H5Dget_space(to.data_set), H5Sclose, "a data space");
     H5Sselect_hyperslab(target, H5S_SELECT_SET, &to.rows, nullptr, &added, nullptr);
-    demand(H5Dwrite(to.data_set, H5T_NATIVE_DOUBLE, space({added}), target, H5P_DEFAULT, values.data()), path);
+    demand(H5Dwrite(to.data_set, H5T_NATIVE_DOUBLE, space({added}), target, H5P_DEFAULT, values.data()), "rows");
     to.rows = count;
 }
 
@@ -256,6 +275,7 @@ std::vector<double> Hdf5File::numbers(const std::string& path)
 
 void Hdf5File::shorten(const std::string& path, std::size_t rows)
 {
+    remembered_.clear();
     columns_.erase(path);
     const hsize_t count = rows;
     const Hdf5Handle data_set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, path);

@@ -56,6 +56,12 @@ public:
     /// Appends to a one-dimensional data set of doubles, made with its unit where it is missing.
     void append(const std::string& path, const std::string& unit, const std::vector<double>& values);
 
+    /// Remembers data sets that append() has made longer, in this order: append_to() makes all of them longer again, by
+    /// one of `values` each, without looking for them by name.
+    void remember(const std::string& group, const std::vector<std::string>& paths);
+    bool remembers(const std::string& group) const { return remembered_.count(group) > 0; }
+    void append_to(const std::string& group, const std::vector<const std::vector<double>*>& values);
+
     /// Writes a new data set of `columns` per row (1: one-dimensional), this rank's `rows` at `first_row` of
     /// `all_rows`. `type` H5T_NATIVE_DOUBLE or H5T_NATIVE_INT.
     void write_rows(const std::string& path, const std::string& unit, hid_t type, const void* data, std::size_t rows,
@@ -95,12 +101,14 @@ private:
     };
 
     Hdf5Handle object(const std::string& path);
+    static void append(Column& to, const std::vector<double>& values);
     Column& column(const std::string& path);
     void make_column(const std::string& path, const std::string& unit);
 
     Hdf5Handle file_;
     bool collective_;
     std::map<std::string, Column> columns_;  ///< by path
+    std::map<std::string, std::vector<Column*>> remembered_;
 };
 
 }  // namespace interphase

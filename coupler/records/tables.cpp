@@ -20,6 +20,12 @@ void fill_up(Hdf5File& file, const std::string& path, const std::string& unit, s
 
 void append_rows(Hdf5File& file, const std::string& group, const std::vector<ColumnRows>& columns)
 {
+    if (file.remembers(group)) {
+        std::vector<const std::vector<double>*> rows;
+        for (const ColumnRows& column : columns)
+            rows.push_back(&column.rows);
+        return file.append_to(group, rows);
+    }
     const std::vector<std::string> names = file.names_in(group);
     std::size_t rows = 0;
     for (const std::string& name : names)
@@ -32,6 +38,11 @@ void append_rows(Hdf5File& file, const std::string& group, const std::vector<Col
     rows += columns.front().rows.size();
     for (const std::string& name : names)
         fill_up(file, group + "/" + name, "", rows);
+    if (file.names_in(group).size() != columns.size()) return;  // others have to be filled up each time
+    std::vector<std::string> paths;
+    for (const ColumnRows& column : columns)
+        paths.push_back(group + "/" + column.name);
+    file.remember(group, paths);
 }
 
 void keep_rows_until(Hdf5File& file, double time)

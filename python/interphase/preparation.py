@@ -71,6 +71,30 @@ def write_bed(*arguments):
     bed.main([*words, "--out", "dem/bed.data"])
 
 
+def write_parcels(count, diameter, density, box, region, seed):
+    """dem/bed.data of MP-PIC's parcels in the LIGGGHTS domain `box`, evenly and without order in `region` (both low and high along x, y,
+    z): on a lattice they would stay in planes, as they do not collide.
+
+    Their solids fill the region to its faces, yet no centre is nearer than a radius: those of the outermost diameter stand in the inner
+    half of it.
+    """
+    from interphase.even_bed import even_bed  # numpy and scipy
+
+    low, high = region[0::2], region[1::2]
+    if any(not (box[2 * a] <= low[a] < high[a] <= box[2 * a + 1]) for a in range(3)):
+        sys.exit(f"prepare: the parcels would fill {region} m, which is not within the box {box} m")
+    try:
+        centres = even_bed(count, diameter, low, high, seed, may_overlap=True)
+    except InputError as error:
+        sys.exit(f"prepare: {error}")
+    for axis in range(3):
+        for face, inwards in ((low[axis], 1), (high[axis], -1)):
+            off = inwards * (centres[:, axis] - face)
+            centres[:, axis] += inwards * (off < diameter) * (diameter - off) / 2
+    write_spheres(centres, diameter, density, box)
+    print(f"prepare: {count} parcels of {diameter:.6g} m up to {high[2]:.4g} m")
+
+
 def write_spheres(centres, diameter, density, box, types=2, velocities=None):
     """dem/bed.data of equal spheres of type 1 at `centres` [n, 3] in the LIGGGHTS domain `box` (low and high along x, y, z), at rest
     or with `velocities` [n, 3] and no rotation, SI units."""

@@ -21,7 +21,7 @@ class BalancesOfSscp1:
         done = self.run_case(folder, ranks, timeout=max(support.LONGEST, self.steps))
         ledger = done.table("ledger")
         total, weight = (done.meta[name] for name in ("particles", "bed_weight_per_area"))
-        drop = done.column("series/pressure_drop").mean()  # [Pa]
+        drop = done.column("series/pressure_drop")[1:].mean()  # [Pa]; the start has none of the bed's
         count = len(ledger["time"])
         self.assertEqual(count, self.steps)
         numpy.testing.assert_allclose(ledger["time"], GAS_STEP * numpy.arange(1, count + 1), rtol=1e-9)

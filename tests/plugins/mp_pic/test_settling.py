@@ -111,7 +111,7 @@ class BedAtRest(support.ProgramTest):
         rest = time > 3  # it falls, and sloshes until 2.6 s
         measured.below(self, "MP-PIC, bed of 1,280 parcels at rest for 9 s: fullest cell, close packing being 0.6", fullest[rest].max(), 1.02 * self.CLOSE_PACKING)
         self.assertEqual(relieved, 0)  # nothing was handed on to keep it so
-        measured.below(self, "the same: kinetic energy at most, of that at the start of its fall", energy[rest].max() / energy[0], 0.01)  # nothing wakes it up
+        measured.below(self, "the same: kinetic energy at most, of that at the start of its fall", energy[rest].max() / energy[1], 0.01)  # nothing wakes it up
 
 
 if __name__ == "__main__":
