@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """tools/bed: the spheres asked for, none overlapping, in the box, the same every time; and what it refuses."""
 
@@ -289,7 +288,3 @@ class ReadByLiggghts(WithBed):
         self.assertAlmostEqual(mass / (500 * 1131 * math.pi / 6 * 6.512e-3**3), 1, delta=1e-9)
         heights = [z for _, _, z in Bed(self.path).centres]
         self.assertAlmostEqual(centre, sum(heights) / 500, delta=1e-9)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """tools/compare finds the one number that differs, by particle and time.
 
@@ -644,7 +643,3 @@ class NativeLiggghts(Folder):
         code, report, _ = self.compare(a, pattern, "--tolerance", "1e-5")
         self.assertEqual((code, report["common_times"]), (0, 3))
         self.assertTrue(any("6 digits" in note for note in report["notes"]))
-
-
-if __name__ == "__main__":
-    unittest.main()
