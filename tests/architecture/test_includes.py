@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Who may include whom, checked on every source file.
 
@@ -197,7 +196,3 @@ class Includes(unittest.TestCase):
         missing = [f"{header}: {other}" for header in installed for quoted, other in includes_in((COUPLER / header).read_text())
                    if quoted and (COUPLER / other).exists() and other not in installed]
         self.assertFalse(missing)
-
-
-if __name__ == "__main__":
-    unittest.main()

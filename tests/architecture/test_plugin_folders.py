@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A plug-in gets into the tree only with a README and a test: plugins/CMakeLists.txt, configured in a project of its own, with a
 library of nothing for interphase_add_plugin.
@@ -83,7 +82,3 @@ class PluginFolders(unittest.TestCase):
         self.whole_plugin()
         self.write("plugins/springy/CMakeLists.txt", "interphase_add_plugin(spring SOURCES plugin.cpp)\n")
         self.refused("makes no plug-in of the folder's name", "interphase_add_plugin(springy SOURCES ...)")
-
-
-if __name__ == "__main__":
-    unittest.main()

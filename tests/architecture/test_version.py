@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a build records of its source (cmake/RecordVersion.cmake): the commit and whether files are changed, in a checkout; that
 it does not know, elsewhere; and nothing is written where nothing has changed, so that nothing is compiled for it."""
@@ -78,7 +77,3 @@ class Citation(unittest.TestCase):
         cited = re.search(r"^version: (\S+)$", (SOURCE / "CITATION.cff").read_text(), re.M).group(1)
         self.assertEqual(cited, built)
         self.assertIn(f"\n## {built}\n", (SOURCE / "CHANGELOG.md").read_text())
-
-
-if __name__ == "__main__":
-    unittest.main()

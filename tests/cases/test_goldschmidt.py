@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """cases/goldschmidt starts from the tutorials' particles, and `compare` measures every program's records alike."""
 
@@ -72,7 +71,3 @@ class Measures(support.ProgramTest):
         with self.assertRaises(SystemExit) as refused:
             COMPARE["changed"](self.root, "system/controlDict", "endTime         5;", "endTime 1;")
         self.assertRegex(str(refused.exception), r"'endTime         5;' does not stand in .*controlDict")
-
-
-if __name__ == "__main__":
-    unittest.main()

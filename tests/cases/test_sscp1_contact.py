@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The contact law of cases/sscp1 gives, in the native `liggghts`, the restitution and contact time it is asked for.
 
@@ -226,7 +225,3 @@ class ContactOfSscp1(unittest.TestCase):
         """DESIGN's figure for the particle of the paper: 3.56e-4 s."""
         meeting = Meeting(False, 1, normal=0.2)
         self.assertAlmostEqual(meeting.expected_contact_time(0.84), 3.56e-4, delta=0.01e-4)
-
-
-if __name__ == "__main__":
-    unittest.main()

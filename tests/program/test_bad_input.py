@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 1200
 """Mistakes of a user end the program with exit code 1 and one message that names what is wrong, its value, where it stands
@@ -10,7 +9,6 @@ The scene is cases/sscp1 with 1,000 parcels; each test spoils one thing of it.
 import os
 import re
 import shutil
-import unittest
 
 import support
 
@@ -381,7 +379,3 @@ class DuringTheRun(SpoiledCase):
 
         self.stops(spoil, r"solid fraction \(voidage field\) is \S+ in cell \d+ of rank \d, above the limit of 0\.4",
                    r"at \(\S+ \S+ \S+\)", "maximumPacking", rows=4)  # fmt: skip
-
-
-if __name__ == "__main__":
-    unittest.main()

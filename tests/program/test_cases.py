@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 900
 """The cases with a known answer: a sphere settles as its equation of motion says, a lattice falls through rising gas as
@@ -8,7 +7,6 @@ papers, so that they test coupler/forces/drag too."""
 import math
 import os
 import re
-import unittest
 
 import numpy
 from scipy.integrate import solve_ivp
@@ -246,7 +244,3 @@ class HopperFeed(support.ProgramTest):
         drop = done.column("series/pressure_drop")
         # 2 Pa or so; a batch of 240 that came as a change of voidage would give 1e2
         self.assertLess(abs(drop).max(), 6)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 4
 # timeout: 600
@@ -9,7 +8,6 @@ import os
 import shutil
 import signal
 import time
-import unittest
 
 import support
 import vessel
@@ -211,7 +209,3 @@ class Checkpoints(ResumedScene, support.ProgramTest):
         more = tools_run("--resume", "--until", str(newest + 2 * vessel.GAS_STEP))
         self.assertEqual(more.returncode, 0, more.stdout + more.stderr)
         self.assertEqual(tools_run("--wall-limit", "0").returncode, 2)
-
-
-if __name__ == "__main__":
-    unittest.main()

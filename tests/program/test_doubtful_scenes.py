@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 900
 """Scenes that LIGGGHTS takes and that would give wrong numbers: refused by name, or told once and counted.
@@ -9,7 +8,6 @@ The scene is cases/sscp1 with 1,000 parcels of 8 (CGPM), 6.512 mm wide; each tes
 import os
 import re
 import shutil
-import unittest
 
 import support
 
@@ -215,7 +213,3 @@ endsolid plate
                  "fix plate all wall/gran model hooke/stiffness tangential history mesh n_meshes 1 meshes surface absolute_damping on\n"
                  "fix turn all move/mesh mesh surface linear 0 0 -0.1\nfix left ")
         self.told([(SOFT, "^fix left ", lines), ("dem/plate.stl", None, stl)], "the gas does not feel it")
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 """`endTime` changed in system/controlDict while the run goes on: outputs of LIGGGHTS, progress and records follow."""
@@ -6,7 +5,6 @@
 import os
 import re
 import time
-import unittest
 
 import gas_box
 import support
@@ -86,7 +84,3 @@ class EndTime(support.ProgramTest):
         reached = max(done.snapshots())
         self.assertLess(reached, 0.008)
         self.assertTrue(os.path.isdir(done.path(f"{reached:.10g}")), os.listdir(done.folder))
-
-
-if __name__ == "__main__":
-    unittest.main()

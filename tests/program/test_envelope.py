@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 600
 # processors: 1
@@ -7,7 +6,6 @@ and the books close."""
 
 import csv
 import os
-import unittest
 
 import measured
 import support
@@ -28,7 +26,3 @@ class Envelope(support.ProgramTest):
         measured.below(self, "the same: largest imbalance of momentum or volume", max(float(row["books"]) for row in rows if row["books"]), 1e-12, "",
                        "conservation")
         self.assertTrue(os.path.isfile(os.path.join(out, "map.png")))
-
-
-if __name__ == "__main__":
-    unittest.main()

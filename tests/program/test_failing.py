@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 # timeout: 600
@@ -9,7 +8,6 @@ import os
 import re
 import shutil
 import subprocess
-import unittest
 
 import gas_box
 import support
@@ -157,7 +155,3 @@ class Failing(support.ProgramTest):
         folder = self.scene()
         self.edit(folder, "dem/in.liggghts", "^fix move", "quit\nfix move")
         self.ends_with_cause(self.execute(folder, 2), LIGGGHTS, "ERROR: the script asked LIGGGHTS to quit")
-
-
-if __name__ == "__main__":
-    unittest.main()

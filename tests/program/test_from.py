@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 # timeout: 600
@@ -7,7 +6,6 @@ time under the new case's boundaries, and what does not fit is refused with the 
 
 import os
 import shutil
-import unittest
 
 import numpy
 import starting_runs
@@ -276,7 +274,3 @@ class TestRefusals(StartingRuns):
         self.assertEqual(done.returncode, 2)
         self.assertIn("must lie apart", done.stderr)
         self.assertTrue(os.path.exists(os.path.join(self.soft, "results.h5")))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 300
 # processors: 2
@@ -7,7 +6,6 @@ by name with what to take in their place. What `forces` reports is checked in te
 
 import os
 import shutil
-import unittest
 
 import gas_box
 import support
@@ -121,7 +119,3 @@ class FunctionObjects(support.ProgramTest):
                 self.assertNotEqual(done.code, 0)
                 self.assertEqual(done.text.count("interphase: error:"), 1, done.text)
                 self.assertRegex(done.text, REFUSED[name][1])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 """What users of the two engines are used to keeps working under the coupler: OpenFOAM's function objects, LIGGGHTS's
@@ -8,7 +7,6 @@ import os
 import re
 import signal
 import time
-import unittest
 
 import numpy
 
@@ -86,7 +84,3 @@ class Habits(support.ProgramTest):
         program.send_signal(signal.SIGTERM)
         program.communicate(timeout=60)
         self.assertNotEqual(program.returncode, 0)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,10 +1,8 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """LIGGGHTS's distributions of sizes reach the gas: what fix insert makes of one stands in the snapshots, the voidage and the books."""
 
 import math
 import os
-import unittest
 
 import numpy
 
@@ -60,8 +58,4 @@ class InsertedSizes(support.ProgramTest):
         self.integrator = "group old id 1\nfix move old nve/sphere\n"
         self.inserted([("one", 15485863, "radius constant 0.0005")], "", "one 1.0")
         self.assertEqual(self.done.err.count(f"no fix of the script moves {COUNT} of the {COUNT + 1} particles"), 1, self.done.err)
-        self.assertRegex(self.done.out, rf"particles that no fix moves +{COUNT}\n")
-
-
-if __name__ == "__main__":
-    unittest.main()
+        self.assertRegex(self.done.out, rf"particles that no fix moves +{COUNT} +99\.751 %")  # of 401

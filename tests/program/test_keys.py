@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`interphase -help keys` tells every key of system/couplingDict, `-help counts` everything that runs count, in any folder and without
 a set-up of OpenFOAM; the pages in the tree are what it prints."""
@@ -23,7 +22,3 @@ class Pages(unittest.TestCase):
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
                 self.maxDiff = None
                 self.assertEqual(done.stdout, support.read(page), f"write it anew: interphase -help {about} > {page}")
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,10 +1,7 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 # timeout: 600
 """A few kills of every kind; test_killed_long.py does a hundred, of all methods."""
-
-import unittest
 
 import support
 from killed_run import KilledRun
@@ -19,7 +16,3 @@ class Killed(KilledRun, support.ProgramTest):
 
     def test_mpirun(self):
         self.check_killed("TDHS", 2, 2, launcher=True)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,11 +1,8 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # label: slow
 # processors: 2
 # timeout: 7200
 """A hundred kills: all methods, one and two ranks, of a rank or of mpirun."""
-
-import unittest
 
 import support
 from killed_run import KilledRun
@@ -24,7 +21,3 @@ class Killed(KilledRun, support.ProgramTest):
     def test_mpirun(self):
         for method in WEIGHTS:
             self.check_killed(method, 2, 4, launcher=True)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 """tools/CLUSTERS.md: its batch script, with a stand-in for srun that calls mpirun; hostfile and pinning; the bare command line
@@ -9,7 +8,6 @@ import re
 import signal
 import subprocess
 import time
-import unittest
 
 import gas_box
 import support
@@ -129,7 +127,3 @@ class Launching(support.ProgramTest):
         self.edit(folder, "system/decomposeParDict", r"numberOfSubdomains 2", "numberOfSubdomains 4")
         self.edit(folder, "system/decomposeParDict", r"n \(1 1 2\)", "n (1 1 4)")
         return folder
-
-
-if __name__ == "__main__":
-    unittest.main()

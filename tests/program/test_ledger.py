@@ -1,9 +1,6 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 """Momentum and solid volume of cases/sscp1 balance to 1e-12 in each of 100 coupling steps, on 1, 2 and 4 ranks."""
-
-import unittest
 
 import balances
 import support
@@ -11,7 +8,3 @@ import support
 
 class Balances(balances.BalancesOfSscp1, support.ProgramTest):
     steps = 100
-
-
-if __name__ == "__main__":
-    unittest.main()

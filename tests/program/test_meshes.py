@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 900
 """A packing has its own solid fraction in every cell, whatever the mesh: at walls, where cells change size, in cells of any
@@ -108,7 +107,3 @@ class Meshes(unittest.TestCase):
                 with self.subTest(name, ranks=ranks):
                     out = mesh_zoo.run(name, ranks)
                     self.assertLess(abs(out.solids - alone.solids).max(), ROUND_OFF)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,10 +1,7 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # label: slow
 # timeout: 1800
 """As test_meshes.py, on more cells, with more spheres, and on more ranks."""
-
-import unittest
 
 import mesh_zoo
 import test_meshes
@@ -30,7 +27,3 @@ class MoreMeshes(test_meshes.Meshes):
                     out = mesh_zoo.run(name, ranks)
                     tolerance = 1e-3 if name in WARPED else test_meshes.ROUND_OFF
                     self.assertLess(abs(out.solids - alone.solids).max(), tolerance)
-
-
-if __name__ == "__main__":
-    unittest.main()

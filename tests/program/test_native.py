@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 """DEM through the coupler is LIGGGHTS's own DEM: with `gas { model none; }`, interphase and the packaged `liggghts` write
@@ -163,7 +162,3 @@ class NativeDem(support.ProgramTest):
         self.assertTrue((numpy.linalg.norm(last[:, 7:10], axis=1) > 0).all())
         self.assertLess((last[:, 4:7] ** 2).sum(), 0.5 * (first[:, 4:7] ** 2).sum())
         self.assertGreater((last[:, 4:7] ** 2).sum(), 0.0)
-
-
-if __name__ == "__main__":
-    unittest.main()

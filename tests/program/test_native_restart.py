@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 # timeout: 300
@@ -8,7 +7,6 @@ of the same time."""
 import os
 import re
 import shutil
-import unittest
 
 import numpy
 
@@ -89,7 +87,3 @@ class NativeRestart(support.ProgramTest):
         shutil.copy(whole.path("dem/in.liggghts"), os.path.join(later, "dem/in.liggghts"))
         done = self.run_case(later)
         self.assertEqual(done.err.count(f"the gas starts at t = {TIME} s, and the particles of the script have no time"), 1)
-
-
-if __name__ == "__main__":
-    unittest.main()

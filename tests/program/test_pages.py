@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 # timeout: 1500
@@ -10,7 +9,6 @@ import os
 import re
 import shutil
 import subprocess
-import unittest
 
 import support
 from pages import ELSEWHERE, put, shortened, steps
@@ -85,7 +83,3 @@ class Cases(Reader):
                     played += 1
                     self.assertEqual(done.returncode, 0, f"{command}\n{done.stdout[-2000:]}\n{done.stderr[-2000:]}")
         self.assertGreater(played, 25)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """ParaView's own readers open what a run leaves: particles.xdmf and the gas, decomposed or not, with all times and
 arrays; and the bed that it renders is a picture, not a blank.
@@ -9,7 +8,6 @@ ParaView runs in a process of its own (under Xvfb: Debian's build renders throug
 import json
 import os
 import subprocess
-import unittest
 
 import numpy
 from scipy.spatial import cKDTree
@@ -180,7 +178,3 @@ class OpenedInParaView(support.ProgramTest):
 
     def test_two_ranks_decomposed(self):
         self.check(2)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 600
 """Boundary conditions of OpenFOAM as users of a solver for p_rgh know them: each does what it says, or is refused by
@@ -6,7 +5,6 @@ name, with what to take in its place."""
 
 import os
 import shutil
-import unittest
 
 import gas_box
 import support
@@ -229,7 +227,3 @@ class Control(Box):
                 done = support.execute(folder)
                 self.assertEqual(done.code, 1)
                 self.assertRegex(done.text, f"time scheme {scheme.split()[0]} of (.|\n)*ddtSchemes(.|\n)*take Euler, or backward")
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 """Cases as people have them: where the mesh, the script and the parts lie, what folders are called and who owns them. Each works,
@@ -8,7 +7,6 @@ import os
 import re
 import shutil
 import subprocess
-import unittest
 
 import gas_box
 import support
@@ -177,7 +175,3 @@ class Rights(Paths):
     def test_all_that_is_needed(self):
         self.opened("", "dem")
         self.assertEqual(self.execute().code, 0)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,11 +1,9 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 900
 """cases/periodic-duct: gas and particles that repeat, across sides that ranks cut as they like. What leaves on one side comes back on the
 other as if there were no side."""
 
 import math
-import unittest
 
 import numpy
 from scipy.integrate import solve_ivp
@@ -115,7 +113,3 @@ class Periodic(support.ProgramTest):
                 # and velocities that collisions have shaped are not quite Gaussian
                 measured.below(self, f"cooling grains in air, {method}: largest difference of their random velocity from theory", 100 * abs(found / exact - 1).max(),
                                5, "%", "Lun et al., J. Fluid Mech. 140 (1984) 223, and drag")  # fmt: skip
-
-
-if __name__ == "__main__":
-    unittest.main()

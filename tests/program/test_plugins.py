@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 1200
 """Plug-ins, through interphase (entry `plugins` of system/couplingDict) and through interphase-liggghts (option -plugin), on one
@@ -13,7 +12,6 @@ import math
 import os
 import re
 import subprocess
-import unittest
 
 import support
 
@@ -370,7 +368,3 @@ class Methods(PluginTest):
         self.refused(self.coupled(["hasty"], script=script), r"solid step of 0\.0001 s is longer than the 2e-06 s")
         self.refused(self.coupled(["nonsense_limit"], script=script.replace("test/hasty", "test/nonsense"), step=""),
                      "solid step of at most -1 s", "solid_step_limit")  # fmt: skip
-
-
-if __name__ == "__main__":
-    unittest.main()

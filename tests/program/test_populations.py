@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 # timeout: 400
@@ -7,7 +6,6 @@ cause, the books close to round-off on 1, 2 and 4 ranks, and the gas gives way w
 
 import os
 import re
-import unittest
 
 import h5py
 import numpy
@@ -243,7 +241,3 @@ class Populations(support.ProgramTest):
         drop = done.column("series/pressure_drop")
         weight = done.meta["bed_weight_per_area"]
         self.assertLess(abs(drop).max(), weight)
-
-
-if __name__ == "__main__":
-    unittest.main()

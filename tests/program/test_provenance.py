@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """results.h5 says which program made it from which inputs: /meta as `interphase -version` has it, and every text that the run
 was started from, byte for byte, on any number of ranks."""
@@ -7,7 +6,6 @@ import hashlib
 import os
 import re
 import subprocess
-import unittest
 
 import h5py
 
@@ -68,7 +66,3 @@ class Provenance(support.ProgramTest):
                 self.assertEqual(item[()], content, name)
             else:
                 self.assertNotIn(name, INPUTS)
-
-
-if __name__ == "__main__":
-    unittest.main()

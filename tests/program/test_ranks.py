@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 # timeout: 600
@@ -10,7 +9,6 @@ on one rank with one coordinate of one parcel changed by 1e-15 of its value.
 """
 
 import os
-import unittest
 
 import numpy
 
@@ -139,7 +137,3 @@ class ExchangeVolume(support.ProgramTest):
         skin = 0.25 * 6.512e-3
         self.assertLess(crossing, per_visit * self.STEPS * 11875 * skin / 0.2286)
         print(f"drifting parcels: {crossing / all_across:.2%} of what half of them elsewhere cost")
-
-
-if __name__ == "__main__":
-    unittest.main()

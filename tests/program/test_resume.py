@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 # timeout: 900
@@ -7,7 +6,6 @@ for 20 gas steps. And what a resumed run refuses or tells."""
 
 import os
 import shutil
-import unittest
 
 import numpy
 
@@ -157,7 +155,3 @@ class Resume(ResumedMethods, support.ProgramTest):
         done = self.run_case(folder)
         self.assertIn("a checkpoint cannot hold fix squeeze (deform)", done.err)
         self.assertFalse(os.path.exists(os.path.join(folder, "checkpoints")))
-
-
-if __name__ == "__main__":
-    unittest.main()

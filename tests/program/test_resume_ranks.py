@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 # timeout: 1200
@@ -8,7 +7,6 @@ the last bit, in other places; 20 gas steps later it is the run that was not sto
 import json
 import os
 import shutil
-import unittest
 
 import numpy
 
@@ -260,7 +258,3 @@ class ResumeOnOtherRanks(ResumedMethods, support.ProgramTest):
         os.remove(os.path.join(target, "processor1/constant/polyMesh/cellProcAddressing"))
         with self.assertRaisesRegex(AssertionError, "the parts of the mesh now do not say which cells of the whole mesh they have"):
             self.go_on(source, target, 2, self.end)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 1
 # timeout: 600
@@ -9,7 +8,6 @@ import glob
 import os
 import re
 import shutil
-import unittest
 
 import numpy
 
@@ -166,7 +164,3 @@ class ResumedFiles(support.ProgramTest):
         self.assertIn("what function objects wrote from t = 0.01 s on is in postProcessing-beyond-0.01/", again.err)
         for file in ("probes/0.01/p", "flow/0.01/surfaceFieldValue.dat"):
             self.assertEqual(support.read(stopped, "postProcessing", file), support.read(stopped, "postProcessing-beyond-0.01", file))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 600
 """What a script does with the package: a case changed, run, stopped, gone on with, and its numbers read with their units, also while it
@@ -9,7 +8,6 @@ import io
 import math
 import os
 import time
-import unittest
 from unittest import mock
 
 import h5py
@@ -180,7 +178,3 @@ class Going(Scripts):
         os.rename(os.path.join(run.path, "0.02"), os.path.join(run.path, "gone"))
         with self.assertRaisesRegex(interphase.InputError, "reconstructPar -case"):
             run.fields("voidage")
-
-
-if __name__ == "__main__":
-    unittest.main()

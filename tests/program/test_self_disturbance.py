@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 400
 """One sphere falls through a fluid that it drags along, two-way: it ends at the velocity that the drag law gives in fluid at rest, whatever
@@ -6,7 +5,6 @@ the cells are, and with the correction left out it does not. A bed at rest feels
 
 import os
 import shutil
-import unittest
 
 import numpy
 
@@ -87,7 +85,3 @@ class SelfDisturbance(support.ProgramTest):
             drops[correction] = self.run_case(self.prepared(case, correction, until=0.02)).column("series/pressure_drop")[-1]
         # some particles at its surface see it
         measured.within(self, "packed bed: pressure drop with the correction over that without", drops["corrected"] / drops["left"], 1, 1e-3)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 """What a run leaves that ends before its end: whole records after a kill at any moment, and after SIGINT and SIGTERM closed
@@ -10,7 +9,6 @@ import random
 import shutil
 import signal
 import time
-import unittest
 import xml.etree.ElementTree as xml
 
 import h5py
@@ -207,7 +205,3 @@ class AnotherStart(Bed):
         program = support.start(folder)
         out, err = program.communicate(timeout=60)
         self.assertEqual(program.returncode, 0, out + err)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,11 +1,8 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # label: slow
 # processors: 2
 # timeout: 3600
 """test_survival.py with more kills."""
-
-import unittest
 
 import test_survival
 
@@ -19,7 +16,3 @@ class Kills(test_survival.Bed):
 
     def test_of_mpirun(self):
         self.check_kills(2, True, 20)
-
-
-if __name__ == "__main__":
-    unittest.main()

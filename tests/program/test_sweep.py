@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 200
 """tools/sweep with the program itself: the pressure drop of a held packing over the velocity is Ergun's, and runs go on to a later end."""
@@ -6,7 +5,6 @@
 import csv
 import math
 import os
-import unittest
 
 import support
 
@@ -39,7 +37,3 @@ class Sweep(support.ProgramTest):
         self.assertIn("2 to make", self.sweep("--until", "0.1", "--after", "0.05"))
         self.assertIn("2 to go on", self.sweep("--until", "0.12", "--after", "0.05"))
         self.assertIn("2 there", self.sweep("--until", "0.12"))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,11 +1,9 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 400
 """Interphase terms in the whole program: a light sphere rises in a liquid as the closed solution says, and a suspension with every term
 keeps its books closed on one rank and on two."""
 
 import os
-import unittest
 
 import numpy
 
@@ -43,7 +41,3 @@ class Terms(support.ProgramTest):
             self.assert_books_close(done)
             self.assertEqual(done.column("ledger/steps_alternating")[-1], 0)
             self.assertIn("beyond_lift_range", done.run.ledger)
-
-
-if __name__ == "__main__":
-    unittest.main()

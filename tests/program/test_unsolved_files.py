@@ -1,10 +1,8 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Files of a case that OpenFOAM's solvers act on and this gas does not are refused with their place and what to do; the
 same files are let be where they ask for nothing, and so are copies that editors leave."""
 
 import os
-import unittest
 
 import gas_box
 import support
@@ -89,7 +87,3 @@ class UnsolvedFiles(support.ProgramTest):
         self.refused("nu = 1e-06 m2/s contradicts mu / rho = 1.5e-05 m2/s.*line 3")
         support.write(properties, gas + "transportModel Newtonian; nu [0 2 -1 0 0 0 0] 1.5e-5;\n")
         self.run_case(self.folder)
-
-
-if __name__ == "__main__":
-    unittest.main()

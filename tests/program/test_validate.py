@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 """tools/validate finds LIGGGHTS's own numbers in the coupler, and says so where they are not.
@@ -146,7 +145,3 @@ class Validate(support.ProgramTest):
             done = self.validate(self.script(text), "--ranks", "1")
             self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
             self.assertIn(says, done.stderr)
-
-
-if __name__ == "__main__":
-    unittest.main()

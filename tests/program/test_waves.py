@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 300
 """A column fluidized by a viscous liquid in steps that waves of its solid fraction outrun: told once, counted, and with adjustTimeStep the
@@ -6,7 +5,6 @@ step gives way. Other spheres, liquid, cells and law than those that the limit w
 
 import os
 import re
-import unittest
 
 import support
 
@@ -38,7 +36,3 @@ class Waves(support.ProgramTest):
         said, outrun = self.column("adjusted", 0.1, True)
         cells = float(re.search(TOLD + r" ([0-9.]+) gas cells", said)[1]) if TOLD in said else 0.0
         self.assertLess(cells, 1)  # the limit is 0.5, and answers to the step before
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 600
 # processors: 4
@@ -214,7 +213,3 @@ class BadInput(support.ProgramTest):
                     more=boxes.weighted([27, 8], default=27).replace("no no 27", "no no ${weight}"))  # fmt: skip
         done = self.run_case(scene.write(os.path.join(self.root, "agreed")))
         numpy.testing.assert_array_equal(done.snapshots()[0.0]["weight"], [27, 8])
-
-
-if __name__ == "__main__":
-    unittest.main()

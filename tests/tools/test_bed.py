@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """tools/bed: the spheres asked for, none overlapping, in the box, the same every time; and what it refuses."""
 
@@ -10,10 +9,14 @@ import subprocess
 import unittest
 
 import numpy
+from hypothesis import given, strategies as st
 from scipy.spatial import cKDTree
 from scipy.stats import kstest, lognorm
 
+from interphase import sizes
+from interphase.input_error import InputError
 from interphase.tree import TOOLS
+import made_up  # noqa: F401  (how examples are drawn)
 from scratch import InFolder
 
 BED = os.path.join(TOOLS, "bed")
@@ -161,6 +164,34 @@ class BedTest(WithBed):
         self.assertIn("--jitter must be", self.refused("--count", 1, "--fill", 1, "--jitter", 2))
 
 
+class Sizes(unittest.TestCase):
+    LENGTHS = st.floats(1e-5, 1e-2)
+
+    @given(st.dictionaries(LENGTHS, st.floats(0.01, 100), min_size=1, max_size=5), st.integers(1, 5000), st.booleans())
+    def test_a_table_s_counts_are_the_whole_numbers_nearest_to_its_shares(self, table, count, by_mass):
+        made = sizes.Table(tuple(table), tuple(table.values()), by_mass)
+        wanted = [share * count for share in made.number_shares()]
+        try:
+            counts = made.counts(count)
+        except InputError:
+            self.assertLess(min(wanted), 1)  # one of the sizes would have none
+            return
+        self.assertEqual(sum(counts), count)
+        self.assertTrue(all(abs(n - share) < 1 for n, share in zip(counts, wanted)))
+
+    @given(LENGTHS, st.floats(1.01, 3), st.integers(1, 300), st.booleans(), st.floats(0.1, 0.9), st.floats(1.1, 10))
+    def test_a_lognormal_s_particles_are_its_quantiles(self, median, deviation, count, by_mass, low, high):
+        made = sizes.Lognormal(median, deviation, by_mass, low * median, high * median)
+        try:
+            diameters = made.particles(count)
+        except InputError:  # by mass, the numbers' median may lie far below the cuts
+            return
+        self.assertEqual(diameters, sorted(diameters))
+        self.assertTrue(low * median * (1 - 1e-9) <= diameters[0] and diameters[-1] <= high * median * (1 + 1e-9))
+        for at, diameter in enumerate(diameters):
+            self.assertAlmostEqual(made.share_below(diameter), (at + 0.5) / count, delta=1e-6)
+
+
 class MixedBed(WithBed):
     """Sizes by table and by formula, by number and by mass, with weights."""
 
@@ -289,7 +320,3 @@ class ReadByLiggghts(WithBed):
         self.assertAlmostEqual(mass / (500 * 1131 * math.pi / 6 * 6.512e-3**3), 1, delta=1e-9)
         heights = [z for _, _, z in Bed(self.path).centres]
         self.assertAlmostEqual(centre, sum(heights) / 500, delta=1e-9)
-
-
-if __name__ == "__main__":
-    unittest.main()

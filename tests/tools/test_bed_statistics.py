@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Velocities, granular temperatures, overlaps and voidages of a snapshot are those that made-up beds were made with: uniform flow, two
 temperatures, spheres of known overlap, a lattice of known packing."""
@@ -162,7 +161,3 @@ class VoidageOfCells(unittest.TestCase):
         numpy.testing.assert_allclose(points.mean(axis=0), 0, atol=1e-15)
         numpy.testing.assert_allclose(points.T @ points / len(points), numpy.eye(3) / 5, atol=1e-12)
         self.assertLess(numpy.linalg.norm(points, axis=1).max(), 1.001)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """python/interphase/column_replica, column_limits: books close, a sediment rests, and each scheme bears the step that linear recursions or scans say."""
 
@@ -110,7 +109,3 @@ class Rest(unittest.TestCase):
                     height, record = settled(fluid, 0.3, x, AS_BUILT)
                     self.assertAlmostEqual(height, 1, 9)
                     self.assertLess(record.fastest, 1e-9)
-
-
-if __name__ == "__main__":
-    unittest.main()

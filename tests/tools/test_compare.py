@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """tools/compare finds the one number that differs, by particle and time.
 
@@ -18,9 +17,11 @@ import unittest
 
 import h5py
 import numpy
+from hypothesis import given, strategies as st
 
 from interphase import comparison, statistical_comparison
 from interphase.commands import compare as compare_tool
+from interphase.liggghts_dump import Dump
 from interphase.matching_times import merged
 from interphase.tree import TOOLS
 from made_up import correlated
@@ -107,6 +108,19 @@ class Folder(InFolder):
 
 
 class DumpAgainstDump(Folder):
+    @given(st.lists(st.lists(st.floats(-8e307, 8e307), min_size=13, max_size=13), max_size=4), st.randoms(use_true_random=False))
+    def test_every_number_is_read_as_it_was_written(self, rows, shuffle):
+        table = numpy.array([[number, 1, *row] for number, row in enumerate(rows, 1)]).reshape(-1, 15)
+        order = list(range(len(table)))
+        shuffle.shuffle(order)
+        frames = Dump("made up", [self.write("made_up", dump_text(7, table[order]))]).frames()
+        frame = next(frames)
+        state = frame.load()
+        self.assertEqual((frame.step, state.ids.tolist()), (7, list(range(1, len(table) + 1))))
+        for name, at in (("position", 2), ("velocity", 5), ("force", 8), ("spin", 11)):
+            self.assertEqual(state.quantities[name].tobytes(), numpy.ascontiguousarray(table[:, at:at + 3]).tobytes(), name)
+        self.assertEqual(state.quantities["diameter"].tobytes(), (2 * table[:, 14]).tobytes())
+
     def test_same_numbers_are_bit_equal(self):
         code, report, _ = self.compare(self.dump("a"), self.dump("b"))
         self.assertEqual((code, report["verdict"], report["common_times"]), (0, "bit-equal", 4))
@@ -537,6 +551,15 @@ class Statistics(Folder):
 
 
 class Merging(unittest.TestCase):
+    @given(*2 * [st.sets(st.integers(0, 60)).map(sorted)], st.integers(0, 3))
+    def test_each_item_comes_once_in_order(self, a, b, slack):
+        a, b = ([(slack + 1) * 2 * each for each in items] for items in (a, b))  # of one side none within the slack
+        b = [each + slack for each in b]
+        pairs = list(merged(a, b, lambda each: each, lambda key: slack))
+        self.assertEqual([left for left, _ in pairs if left is not None], a)
+        self.assertEqual([right for _, right in pairs if right is not None], b)
+        self.assertEqual([left for left, right in pairs if None not in (left, right)], [each for each in a if each + slack in b])
+
     def test_pairs_within_slack_in_order(self):
         pairs = list(merged([0.0, 1.0, 2.0], [1.0 + 1e-12, 1.5, 2.0], lambda x: x, lambda x: 1e-9))
         self.assertEqual(pairs, [(0.0, None), (1.0, 1.0 + 1e-12), (None, 1.5), (2.0, 2.0)])
@@ -644,7 +667,3 @@ class NativeLiggghts(Folder):
         code, report, _ = self.compare(a, pattern, "--tolerance", "1e-5")
         self.assertEqual((code, report["common_times"]), (0, 3))
         self.assertTrue(any("6 digits" in note for note in report["notes"]))
-
-
-if __name__ == "__main__":
-    unittest.main()

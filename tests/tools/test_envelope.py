@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """tools/envelope tells runs that are calm and right from such as alternate, drift, stop or lie: series are made up, so that the
 answers are known; what the drag laws say is held against numbers worked out by hand."""
@@ -145,7 +144,3 @@ class Map(unittest.TestCase):
         text = envelope_map.markdown(rows)
         self.assertIn("| TDHS | 0.3 | right | +3.4 % | **failed** | - |", text)
         self.assertIn("failed: 1", text)
-
-
-if __name__ == "__main__":
-    unittest.main()

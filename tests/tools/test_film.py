@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """tools/film: a frame of every whole snapshot, of one size and scale, over the time that is asked for; and what is refused."""
 

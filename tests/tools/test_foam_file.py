@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Files in OpenFOAM syntax: what is in them comes back whatever comments stand about it, and an entry that is replaced or added leaves every
 other byte as it is."""
@@ -202,7 +201,3 @@ class Values(unittest.TestCase):
                 parameters.read(file.name)
         with self.assertRaisesRegex(InputError, "nowhere/parameters: cannot be read: No such file"):
             parameters.read("nowhere/parameters")
-
-
-if __name__ == "__main__":
-    unittest.main()

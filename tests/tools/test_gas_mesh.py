@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What an upright plane cuts of a mesh of the gas: cells to their area, walls where they are, in any format, whole or in pieces."""
 

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 # timeout: 900
@@ -9,7 +8,6 @@ installation, built, its own test passed, its script run, its bed run by tools/r
 import os
 import shutil
 import subprocess
-import unittest
 
 from interphase.run import Run
 from interphase.tree import REPOSITORY, TOOLS
@@ -122,7 +120,3 @@ class WholePath(Bench):
         self.succeed(os.path.join(prefix, "bin", "interphase-liggghts"), "-plugin", "soft_ball", "-in", script)
         done = self.run_program(os.path.join(prefix, "bin", "interphase-liggghts"), "-plugin", "soft_bal", "-in", script)
         self.assertIn("did you mean `soft_ball`?", done.stderr)
-
-
-if __name__ == "__main__":
-    unittest.main()

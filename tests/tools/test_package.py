@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """python/interphase is found in one way: by every tool from any folder, by `prepare` through tools/run, installed by pip; and a Python
 without the modules that it needs is told which, and how to get them."""
@@ -8,7 +7,6 @@ import re
 import shutil
 import subprocess
 import sys
-import unittest
 
 from interphase import commands, launch
 from interphase.tree import REPOSITORY
@@ -153,7 +151,3 @@ class Installed(Bench):
             built = re.search(r"^    VERSION (\S+)$", stream.read(), re.M)[1]
         with open(os.path.join(REPOSITORY, "python", "pyproject.toml"), encoding="utf-8") as stream:
             self.assertIn(f'\nversion = "{built}"\n', stream.read())
-
-
-if __name__ == "__main__":
-    unittest.main()

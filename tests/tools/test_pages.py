@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the pages (*.md) name exists: every file, every link, every command with its options, its case, its settings, and the tests of
 `tools/test --filter`. tests/program/test_pages.py runs the commands of the pages for users."""
@@ -116,7 +115,3 @@ class Pages(unittest.TestCase):
 
     def test_the_first_page_is_short(self):
         self.assertLess(pages()["README.md"].count("\n"), 120)
-
-
-if __name__ == "__main__":
-    unittest.main()

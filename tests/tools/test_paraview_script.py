@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """tools/paraview: the script that it leaves in a run, and what it refuses; tests/program/test_paraview.py lets ParaView run it."""
 

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """tools/picture: spheres at their true size and place, in their velocity's colour, the front ones on top; walls where they are, the gas
 beside them, one range of colours, words that do not touch; and what tells more of few particles, packings and runs without gas."""

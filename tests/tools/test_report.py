@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """tools/report: what it finds in made-up runs of known means, where, from when on, and what it refuses. What it measures of one snapshot is in
 test_bed_statistics.py, of series in test_time_statistics.py and test_start_up.py."""
@@ -470,7 +469,3 @@ class Refused(Folder):
         with h5py.File(os.path.join(run, "particles.h5"), "r+") as file:
             file["snapshots/000025/velocity"][3] = numpy.nan
         self.refused(run, says=["000025", "velocity holds NaN", "--until"])
-
-
-if __name__ == "__main__":
-    unittest.main()

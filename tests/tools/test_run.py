@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """tools/run: what it refuses, what it writes into the run's folder, what it executes and how it ends.
 
@@ -13,7 +12,6 @@ import shutil
 import signal
 import subprocess
 import time
-import unittest
 
 from interphase import case_folder, ending, foam_file, launch
 from interphase.commands import run
@@ -651,7 +649,3 @@ class Cases(Bench):
             case_folder.checked_case("/x/ssccp1", self.root)
         self.assertRegex(str(caught.exception), r"did you mean '[^']*sscp1'\?")
         self.assertRegex(str(caught.exception), r"cases here:\n  .*bed\n  .*sscp1")
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """tools/setup in a tree that is somebody else's: what is built there is used, or the message says whose it is and what to do."""
 
@@ -51,7 +50,3 @@ class TreeOfSomebodyElse(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("is used as it is", done.stdout)
         self.assertEqual(self.setup("--with-tests").returncode, 1)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Where the start-up of a record ends, and which records are too short to tell."""
 
@@ -50,7 +49,3 @@ class StartUpOfSeries(unittest.TestCase):
         self.assertAlmostEqual(found.needed, 7.99)
         self.assertAlmostEqual(start_up_of(times[:10], {"particles": times[:10]}).needed, 0.4)  # 40 rows
         self.assertIsNone(start_up_of(times, {}).end)
-
-
-if __name__ == "__main__":
-    unittest.main()

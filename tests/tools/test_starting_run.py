@@ -1,10 +1,8 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What tools/run --from finds in a run and in a case's script, in made-up ones: times of a run, types and densities of its
 spheres, where a script takes its particles from. tests/program/test_from.py runs the program."""
 
 import os
-import unittest
 
 import h5py
 import numpy
@@ -251,7 +249,3 @@ class Fields(Folder):
         self.assertEqual(self.read(b"internalField uniform (0 0 1);"), "uniform (0 0 1)")
         self.assertEqual(self.read(b"internalField uniform 101325;", more=-101325.0), "uniform 0.0")
         self.assertEqual(self.read(b"internalField nonuniform List<scalar> 3{2};"), "nonuniform List<scalar>\n3\n(\n2.0\n2.0\n2.0\n)")
-
-
-if __name__ == "__main__":
-    unittest.main()

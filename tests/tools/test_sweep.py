@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 300
 """tools/sweep: which runs it makes, keeps and goes on with, how it ends them, and what it says of their means.
@@ -307,7 +306,3 @@ class Parts(unittest.TestCase):
 
     def test_time_left(self):
         self.assertEqual([sweep_runs.duration(each) for each in (39.4, 725, 10930)], ["0:39", "12:05", "3:02:10"])
-
-
-if __name__ == "__main__":
-    unittest.main()

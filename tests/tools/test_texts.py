@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Texts that several programs write: data files of LIGGGHTS come back to the last bit and are read by LIGGGHTS; tables stay in line;
 lists of the command line come apart where they were put together."""
@@ -120,7 +119,3 @@ class Lists(unittest.TestCase):
         text = ",".join(gap + value + gap for value, gap in zip(values, gaps))
         self.assertEqual(sweep_plan.listed(text), values)
         self.assertEqual(sweep_plan.settings([f"a/b = {text}"]), {"a/b": values})
-
-
-if __name__ == "__main__":
-    unittest.main()

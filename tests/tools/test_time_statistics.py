@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Errors of means are the true ones. statsmodels is the judge: of Burg's recursion, of what a model says, of the true error of a series."""
 
@@ -196,7 +195,3 @@ class OfRatiosAndQuantiles(unittest.TestCase):
         self.assertAlmostEqual(frequency[power.argmax()], 1.6, delta=0.05)
         self.assertAlmostEqual(power.sum() * (frequency[1] - frequency[0]), 200**2 / 2, delta=0.02 * 200**2 / 2)
         self.assertIsNone(run_report.spectrum(time[:100], time[:100]))
-
-
-if __name__ == "__main__":
-    unittest.main()

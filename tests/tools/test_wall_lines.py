@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The walls of the particles, by LIGGGHTS's log: planes, cylinders, meshes at rest and moving, and the lines that they are from the front."""
 

@@ -65,7 +65,8 @@ def write(folder, values):
             text = text.replace(f"@{key}@", value)
         return text
 
-    for base, _, files in os.walk(TEMPLATE):
+    for base, folders, files in os.walk(TEMPLATE):
+        folders[:] = [name for name in folders if name != "__pycache__"]
         target = os.path.join(folder, os.path.relpath(base, TEMPLATE))
         os.makedirs(target, exist_ok=True)
         for file in files:

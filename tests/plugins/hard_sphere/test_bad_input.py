@@ -1,10 +1,8 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 300
 """What a user may get wrong with fix tdhs and wall/tdhs: one message that names the value and says what to do, and nothing moves."""
 
 import dataclasses
-import unittest
 
 from hard_spheres import HardSphereTest, Scene, Spheres
 
@@ -104,7 +102,3 @@ class BadInput(HardSphereTest):
     def test_one_message_on_two_ranks(self):
         self.refused("coefficientRestitution is 1.2", e=1.2, ranks=2)
         self.refused("unknown word 'pases'", words="pases 4", ranks=2)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 300
 """A sphere dropped on a plane comes back to e^2 of its height, bounce after bounce, and the more exactly the shorter the step.
@@ -6,8 +5,6 @@
 Its centre peaks at r + (h0 - r) e^(2k) after k bounces. The impact is resolved within the step, on the straight path that the
 sphere has in it; gravity bends the true path by g dt^2/8, so the error falls faster than the step.
 """
-
-import unittest
 
 import measured
 import numpy
@@ -80,7 +77,3 @@ class Bounces(HardSphereTest):
         # Straight paths within a step are an error of second order; of 16 phases the mean is good to a tenth of the order.
         self.assertGreater(order.min(), 1.8)
         measured.within(self, "the same: order in the step, largest of all", order.max(), 2, 0.2, "", "straight paths within a step")
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,10 +1,8 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Passes and margin that a step gets where the script does not say them: enough to hold a bed at steps longer than those that the
 least effort bears; by gravity, wherever the script names it. And a word on overlaps that tell of too few."""
 
 import re
-import unittest
 
 import numpy
 
@@ -82,7 +80,3 @@ class Bed(support.ProgramTest):
         self.assertLess(usual, 0.005)
         self.assertGreater(least, 1.5 * usual)
         self.assertGreater(height, sunk)
-
-
-if __name__ == "__main__":
-    unittest.main()

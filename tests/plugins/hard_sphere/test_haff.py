@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 600
 """A gas of smooth inelastic spheres cools as Haff's law says, at the rate of Enskog's kinetic theory; an elastic one keeps its energy
@@ -9,8 +8,6 @@ collisions of one sphere per time, g0 = (1 - phi/2)/(1 - phi)^3 (Carnahan and St
 and Ernst, Granul. Matter 1 (1998) 57, whose correction for the tails of the distribution is 0.2 % of the rate at most here.
 The box is small enough, about 30 diameters, that no clusters form while T falls to a twentieth.
 """
-
-import unittest
 
 import measured
 import numpy
@@ -98,7 +95,3 @@ class Billiard(HardSphereTest):
         self.assertGreater(table[1:, 3][binary].sum(), 1000)
         measured.below(self, f"elastic billiard: energy that {table[1:, 3][binary].sum():.0f} binary collisions change", abs(change[binary]).sum(), 1e-10, "",
                        "conservation")
-
-
-if __name__ == "__main__":
-    unittest.main()

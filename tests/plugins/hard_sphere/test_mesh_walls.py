@@ -1,12 +1,9 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 300
 """Walls of triangles are walls: a floor of many is a plane, six sides of triangles are a box, and nobody leaves a cylinder.
 
 An inner edge of a flat floor must not be felt: what rolls over it keeps its speed.
 """
-
-import unittest
 
 import numpy
 
@@ -203,7 +200,3 @@ class Cylinder(HardSphereTest):
         # 0.3 % of a diameter is tolerated without a push, the rest is what four passes leave of an impact of the whole heap
         self.assertLess(out / RADIUS, 0.03)
         self.assertLess(below / RADIUS, 0.03)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 2
 # timeout: 600
@@ -7,8 +6,6 @@
 The same impulse goes to both spheres of a contact, so linear momentum is kept to round-off however a contact is resolved, and on
 however many ranks. Impulses act at one point, so the angular momentum of a free pair is kept, too.
 """
-
-import unittest
 
 import measured
 import numpy
@@ -115,7 +112,3 @@ class FreePair(HardSphereTest):
 
 def norm(vectors):
     return numpy.linalg.norm(vectors, axis=-1, keepdims=True)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """One impact, of a sphere on a wall and of two spheres, is the three-parameter solution of rigid bodies, to round-off.
 
@@ -10,7 +9,6 @@ the normal impulse is too little for it. The sphere on a wall is the one of case
 import os
 import re
 import subprocess
-import unittest
 
 import measured
 import numpy
@@ -167,7 +165,3 @@ class SphereOnSphere(HardSphereTest):
         change = norm(h.velocity[-1].reshape(n, 2, 3) - velocity).max()
         print(f"{n} pairs that pass by: the velocity changes by up to {change:.1e} of the relative one")
         self.assertLess(change, ROUND_OFF)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # processors: 4
 """A poured bed of hard spheres is the same bed on 1, 2 and 4 ranks, but for the chance of each pour: no sphere is lost, it comes
@@ -6,7 +5,6 @@ to rest, and its height lies within the scatter of heights that other starts giv
 """
 
 import os
-import unittest
 
 import numpy
 
@@ -39,7 +37,3 @@ class RanksOfABed(support.ProgramTest):
                 heights = numpy.array([one.height[-1] for one in beds]) / bed.DIAMETER
                 measured.within(self, f"poured bed of {COUNT} hard spheres, {len(SEEDS)} pours, ranks: {ranks}: mean height in diameters", heights.mean(),
                                 alone.mean() / bed.DIAMETER, tolerance / bed.DIAMETER, "", "one rank", heights.std(ddof=1) / len(SEEDS) ** 0.5)  # fmt: skip
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,12 +1,9 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A sphere thrown along a rough plane slips until it rolls: at 5/7 of its first speed, after 2/7 u0/(mu g).
 
 Friction mu m g slows the centre by mu g and spins the sphere up by 5/2 mu g/r, until the point of contact stands still
 (Lamb, Statics, 1912, and every textbook since). Then it rolls on for ever: a hard plane takes no energy from it.
 """
-
-import unittest
 
 import measured
 import numpy
@@ -74,7 +71,3 @@ class SlipToRoll(HardSphereTest):
     def test_beside_a_wall(self):
         # impulses of several contacts are kept in single precision
         self.check(beside_a_wall=True, round_off=1e-7)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,9 +1,7 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A poured bed of hard spheres comes to rest and stays at its height, at steps as long as a collision of soft ones lasts."""
 
 import math
-import unittest
 
 import numpy
 
@@ -49,7 +47,3 @@ class StaticBed(support.ProgramTest):
         # about 1 mm/s. A quarter of the step brings them to rest like the others.
         poured = bed.Bed(14 * d, 14 * d).mixed(1536, d, 4)
         self.lies_still("and more of sizes 1 and 4", poured, bed.collision_time(d), unrest=1e-5, words="passes 6")
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # label: slow
 # timeout: 7200
@@ -7,8 +6,6 @@
 LIGGGHTS's own DEM of this bed, dropped from a lattice, comes to rest at a mean height of 0.083 m, 97 % of its overlaps below 0.72 % of a
 diameter.
 """
-
-import unittest
 
 import numpy
 
@@ -49,7 +46,3 @@ class BedOfSscp1(support.ProgramTest):
         d = bed.DIAMETER
         small = round(COUNT * 64 / 65)  # as much volume of either size
         self.lies_still(bed.Bed(WIDTH, DEPTH).mixed(small, d, 4), bed.collision_time(d), words="passes 6")
-
-
-if __name__ == "__main__":
-    unittest.main()

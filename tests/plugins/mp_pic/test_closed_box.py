@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 600
 # processors: 4
@@ -7,7 +6,6 @@ fly as DEM's do, the same on any number of ranks, and bad input refused.
 """
 
 import os
-import unittest
 
 import numpy
 
@@ -215,7 +213,3 @@ class BadInput(support.ProgramTest):
         self.ended("steps too long for a particle's cell +[1-9]", good=True, parcels=(position, velocity))
         self.ended(r"particle 6 moves at \(0 0 29\.\d+\) m/s.*remedy: give a gas step below", parcels=(position, velocity),
                    integrator="fix move all mp_pic too_fast stop\n")  # fmt: skip
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 900
 # processors: 1
@@ -11,7 +10,6 @@ The front of the bed, whose solid fraction is phi_b where it grows, rises at u_s
 """
 
 import os
-import unittest
 
 import numpy
 
@@ -112,7 +110,3 @@ class BedAtRest(support.ProgramTest):
         measured.below(self, "MP-PIC, bed of 1,280 parcels at rest for 9 s: fullest cell, close packing being 0.6", fullest[rest].max(), 1.02 * self.CLOSE_PACKING)
         self.assertEqual(relieved, 0)  # nothing was handed on to keep it so
         measured.below(self, "the same: kinetic energy at most, of that at the start of its fall", energy[rest].max() / energy[1], 0.01)  # nothing wakes it up
-
-
-if __name__ == "__main__":
-    unittest.main()

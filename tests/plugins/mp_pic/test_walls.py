@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # timeout: 300
 """Off walls of each kind, planes, cylinders and triangle meshes, parcels come with -e_n of the velocity across and e_t of that
@@ -6,7 +5,6 @@ along the wall, from both sides; and they are where straight flight, impact and 
 """
 
 import os
-import unittest
 
 import numpy
 
@@ -135,7 +133,3 @@ class Walls(support.ProgramTest):
                     self.assertLess(faster, (1 + EN) * 2 * step / (big - RADIUS))
                     self.assertLess(place * RADIUS, END * faster + 1e-9)
                 self.assertLess(errors[1], 0.3 * errors[0])
-
-
-if __name__ == "__main__":
-    unittest.main()
