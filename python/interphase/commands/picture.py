@@ -30,7 +30,7 @@ EPILOG = """colours
 
 walls
   black: walls of the gas mesh in the middle plane, and of the particles (planes, cylinders, STL files; of these the edges,
-  too, in their place at that time); blue: patches that gas passes; dashed green: surfaces that let particles in or out.
+  too, in their place at that time); blue: patches that gas passes; green: surfaces that let particles in or out.
   Those of the particles are read from dem/log.liggghts.
 
 gas
