@@ -73,7 +73,7 @@ def _shown(row):
 
 def _tables(place):
     found = [read(name) for name in place[1].split()]
-    rows = [tables.markdown_row(cell.replace("|", "\\|").replace("<", "\\<") for cell in _shown(row)) for _, rows in found for row in rows]
+    rows = [tables.markdown_row(cell.replace("<", "\\<") for cell in _shown(row)) for _, rows in found for row in rows]
     heads = dict.fromkeys("; ".join(head) for head, _ in found if head)
     return "\n".join([tables.markdown_head(["what", "measured", "reference", "the test allows", "source", "command"]), *rows, "",
                       *(f"*{head}.*  " for head in heads)])  # fmt: skip
@@ -84,13 +84,13 @@ def text():
 
 
 def _command(name):
-    """That runs the test; ranks and the ending of its file are left away."""
+    """That runs the test; its folder, ranks and the ending of its file are left away."""
     source = os.path.join(SOURCE, "tests", name + ".py")
     slow = ""
     if os.path.exists(source):
         with open(source, encoding="utf-8") as file:
             slow = "--slow " if re.search(r"^# label: slow$", file.read(), re.M) else ""
-    return f"tools/test {slow}--filter {re.sub(r'(_mpi)?_test([.]np[0-9]+)?$', '', name)}"
+    return f"tools/test {slow}--filter {re.sub(r'(_mpi)?_test([.]np[0-9]+)?$', '', name.split('/')[-1])}"
 
 
 def _head():

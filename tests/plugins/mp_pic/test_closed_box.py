@@ -60,7 +60,7 @@ class ClosedBox(support.ProgramTest):
                             integrator="fix move all mp_pic\n" + SUMS)  # fmt: skip
         change = done.last()["velocity"] - parcels[1]
         # against 0.2 m/s; the stress of 27 parcels is 0.4 Pa
-        measured.below(self, "MP-PIC, uniform bed: velocity that the stress gives in a step", abs(change).max(), 1e-12, "m/s", "no gradient")
+        measured.below(self, "MP-PIC: uniform bed: velocity that the stress gives in a step", abs(change).max(), 1e-12, "m/s", "no gradient")
 
     def test_no_force_where_a_bed_of_mixed_weights_is_uniform(self):
         """Weights of 1 to 4 in every cell, in each the same: the solid fraction is the parcels', whatever number makes it."""
@@ -84,7 +84,7 @@ class ClosedBox(support.ProgramTest):
         scale = MASS * abs(parcels[1]).sum()
         off = abs(change - by_stress - by_walls).max() / scale
         # round-off of 200 steps
-        measured.below(self, "MP-PIC, heap in a closed box: change of momentum less what stress and walls gave", off, 1e-12, "", "conservation")
+        measured.below(self, "MP-PIC: heap in a closed box: change of momentum less what stress and walls gave", off, 1e-12, "", "conservation")
         self.assertGreater(abs(by_stress).max() / scale, 1e-3)  # the stress does something
 
     def test_books_with_the_gas_close(self):
@@ -122,7 +122,7 @@ class ClosedBox(support.ProgramTest):
         for what in ("position", "velocity"):
             off = abs(found["mp_pic"][what] - found["dem"][what]).max()
             # the same operations in another library; gas solvers start from the same numbers
-            measured.below(self, f"MP-PIC, 20 parcels of W = 1 without stress: {what} off nve/sphere's after 160 solid steps", off, 1e-13, {"position": "m"}.get(what, "m/s"),
+            measured.below(self, f"MP-PIC: 20 parcels of W = 1 without stress: {what} off nve/sphere's after 160 solid steps", off, 1e-13, {"position": "m"}.get(what, "m/s"),
                            "LIGGGHTS's nve/sphere")  # fmt: skip
 
     def test_ranks_conserve_alike_and_agree(self):
@@ -136,7 +136,7 @@ class ClosedBox(support.ProgramTest):
             print(f"{ranks} ranks: bed height, kinetic energy, lowest voidage {means[ranks]}")
         for ranks in (2, 4):
             # sums in another order, 1e-16, which 400 steps make grow to 1e-12 or so
-            measured.below(self, f"MP-PIC, heap in a closed box, {ranks} ranks against 1: bed height, kinetic energy, lowest voidage off, relative",
+            measured.below(self, f"MP-PIC: heap in a closed box, {ranks} ranks against 1: bed height, kinetic energy, lowest voidage off, relative",
                            abs(numpy.divide(means[ranks], means[1]) - 1).max(), 1e-6, "", "one rank")
 
 

@@ -71,7 +71,7 @@ class Fronts(support.ProgramTest):
             ("clear front sinks", sinks, speed, "hindered velocity, BVK"), ("solids gained by the bed below", gains, speed * self.PHI, "mass conservation"),
             ("packed front rises", front, rate, "mass conservation"),
         ):  # fmt: skip
-            measured.within(self, f"MP-PIC, suspension of solid fraction 0.3 settling in a closed column: {name}", found, exact, 0.03 * exact, "m/s", source)
+            measured.within(self, f"MP-PIC: suspension of solid fraction 0.3 settling in a closed column: {name}", found, exact, 0.03 * exact, "m/s", source)
 
     def packed_front(self, done, times, cell, speed):
         """(Speed of the place where the bed begins, and what mass conservation gives with the solid fraction that is added below it). The
@@ -107,6 +107,6 @@ class BedAtRest(support.ProgramTest):
         time, fullest = done.column("series/time"), 1 - done.column("series/lowest_voidage")
         relieved, energy = done.column("ledger/cells_relieved")[-1], done.column("series/kinetic_energy")
         rest = time > 3  # it falls, and sloshes until 2.6 s
-        measured.below(self, "MP-PIC, bed of 1,280 parcels at rest for 9 s: fullest cell, close packing being 0.6", fullest[rest].max(), 1.02 * self.CLOSE_PACKING)
+        measured.below(self, "MP-PIC: bed of 1,280 parcels at rest for 9 s: fullest cell, close packing being 0.6", fullest[rest].max(), 1.02 * self.CLOSE_PACKING)
         self.assertEqual(relieved, 0)  # nothing was handed on to keep it so
         measured.below(self, "the same: kinetic energy at most, of that at the start of its fall", energy[rest].max() / energy[1], 0.01)  # nothing wakes it up

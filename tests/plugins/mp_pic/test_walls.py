@@ -82,7 +82,7 @@ class Walls(support.ProgramTest):
             walls = "fix sides all mesh/surface file dem/sides.stl type 2\nfix wall all wall/mp_pic mesh n_meshes 1 meshes sides\n"
             found = self.fly(position, velocity, walls, 1e-4, [("dem/sides.stl", stl(triangles))])
             place, faster = self.off(found, after_impact(position, velocity, time, side * -normal))
-            measured.below(self, f"MP-PIC, bounces off {len(triangles)} tilted triangles: position off the exact flight, radii", place, 1e-9, "", "e_n, e_t of the velocity")
+            measured.below(self, f"MP-PIC: bounces off {len(triangles)} tilted triangles: position off the exact flight, radii", place, 1e-9, "", "e_n, e_t of the velocity")
             self.assertLess(faster, 1e-9)
 
     def round_the_axis(self, axis, big, inside, seed):
