@@ -95,11 +95,11 @@ def _command(name):
 
 def _head():
     with open("/proc/cpuinfo", encoding="utf-8") as file:
-        flags = set(re.search(r"^flags\s*:(.*)$", file.read(), re.M)[1].split())
-    sets = [name for name, flag in (("AVX-512", "avx512f"), ("AVX2", "avx2"), ("AVX", "avx"), ("SSE2", "sse2")) if flag in flags]
+        flags = file.read().split()
+    sets = [f" with {name}" for name, flag in (("AVX-512", "avx512f"), ("AVX2", "avx2"), ("AVX", "avx"), ("SSE2", "sse2")) if flag in flags]
     program = subprocess.run([os.path.join(BUILD, "interphase"), "-version"], capture_output=True, text=True, check=True).stdout
     program = re.sub(r"\b([0-9a-f]{10})[0-9a-f]{30}\b", r"\1", program.splitlines()[0])
-    return [datetime.date.today().isoformat(), program, f"{platform.machine()} with {sets[0]}, {os.cpu_count()} cores"]
+    return [datetime.date.today().isoformat(), program, f"{platform.machine()}{''.join(sets[:1])}, {os.cpu_count()} cores"]
 
 
 def store(folder):

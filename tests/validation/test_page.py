@@ -57,7 +57,7 @@ class Store(unittest.TestCase):
         self.assertEqual(lines[0], "# Title")
         self.assertEqual(lines[4:6], ["| drop | 0.1 +- 0.01 Pa | 0.3 Pa | +- 0.25 Pa | Ergun | `tools/test --filter test_what` |",
                                       "| order, \\|x\\| | 0.95 | | > 0.9 | | `tools/test --filter other` |"])  # fmt: skip
-        self.assertRegex(lines[7], r"^\*20\d\d-\d\d-\d\d; interphase \S+, commit \w+.*; \S+ with \S+, \d+ cores\.\*")
+        self.assertRegex(lines[7], r"^\*20\d\d-\d\d-\d\d; interphase \S+, commit \w+.*; \S+( with \S+)?, \d+ cores\.\*")
 
 
 class Measured(unittest.TestCase):
