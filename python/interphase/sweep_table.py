@@ -156,7 +156,9 @@ def _shown(rows, quantities, folder):
 
     def varies(name):
         cells = [row.cells[name] for row in rows if name in row.cells]
-        return len({cell.mean for cell in cells if cell.runs}) > 1 or any(cell.error != 0 for cell in cells)
+        if len({cell.mean for cell in cells if cell.runs}) > 1 or any(cell.error > 0 for cell in cells):
+            return True
+        return len(rows) == 1 and any(cell.error != 0 for cell in cells)  # a run too short for an error: it may vary
     return {name: units.get(name, "") for name in there if varies(name)}
 
 
