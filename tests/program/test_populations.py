@@ -127,7 +127,7 @@ class Populations(support.ProgramTest):
         done = self.finished(self.case("bed", lines, spheres() + pack()), "TDHS")
         _, here = self.assert_closed(done)
         self.assertEqual(here[-1], count + 1000)
-        drop = done.column("series/pressure_drop")
+        drop = done.column("series/pressure_drop")[1:]  # the start's field knows of no bed
         self.assertGreater(drop.min(), 4)
         self.assertLess(drop.max(), 18)
 
