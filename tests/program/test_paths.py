@@ -66,7 +66,7 @@ class AsItIsInTheTree(Paths):
         shutil.copytree(os.path.join(support.SOURCE, "cases/sscp1"), self.case)
         ready = f"tools/run {re.escape(os.path.realpath(self.case))}.*prepare.*blockMesh.*decomposePar"
         self.stopped(support.execute(self.case), f"no mesh.*where: .*constant/polyMesh.*remedy: .*{ready}")
-        gas_box.execute("blockMesh", self.case)
+        support.must(self.case, "blockMesh")
         self.stopped(support.execute(self.case), f"the script reads `dem/bed.data`, which is not there.*remedy: .*{ready}")
         self.stopped(support.execute(self.case, 2), "not decomposed.*tools/run --ranks")
 
