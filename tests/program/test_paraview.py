@@ -139,8 +139,7 @@ class OpenedInParaView(support.ProgramTest):
         width, height = right - left, bed[-1] - bed[0]
         self.assertAlmostEqual(height / width * 0.2286, 0.2465, delta=0.01)
         # the white between them is what spheres of their true size leave: a place is covered where the nearest centre is within a radius
-        snapshots = done.snapshots()
-        last = snapshots[max(snapshots)]
+        last = done.last()
         x, z = numpy.meshgrid(numpy.linspace(0.01, 0.21, 300), numpy.linspace(0.02, 0.22, 300))
         distance, nearest = cKDTree(last["position"][:, (0, 2)]).query(numpy.column_stack([x.ravel(), z.ravel()]))
         pixel = 0.2286 / width
