@@ -164,13 +164,14 @@ Hdf5File::Column& Hdf5File::column(const std::string& path)
     hsize_t rows = 0;
     const Hdf5Handle shape(H5Dget_space(data_set), H5Sclose, "a data space");
     H5Sget_simple_extent_dims(shape, &rows, nullptr);
-    return columns_.emplace(path, Column{std::move(data_set), rows}).first->second;
+    return columns_.emplace(path, Column{std::move(data_set), rows, {}}).first->second;
 }
 
 std::size_t Hdf5File::length(const std::string& path)
 {
     if (columns_.find(path) == columns_.end() && !there(file_, path)) return 0;
-    return column(path).rows;
+    const Column& found = column(path);
+    return found.rows + found.waiting.size();
 }
 
 void Hdf5File::append(const std::string& path, const std::string& unit, const std::vector<double>& values)
@@ -196,12 +197,25 @@ void Hdf5File::append_to(const std::string& group, const std::vector<const std::
 
 void Hdf5File::append(Column& to, const std::vector<double>& values)
 {
-    const hsize_t added = values.size(), count = to.rows + added;
-    demand(H5Dset_extent(to.data_set, &count), "rows");
-    const Hdf5Handle target(H5Dget_space(to.data_set), H5Sclose, "a data space");
-    H5Sselect_hyperslab(target, H5S_SELECT_SET, &to.rows, nullptr, &added, nullptr);
-    demand(H5Dwrite(to.data_set, H5T_NATIVE_DOUBLE, space({added}), target, H5P_DEFAULT, values.data()), "rows");
-    to.rows = count;
+    to.waiting.insert(to.waiting.end(), values.begin(), values.end());
+}
+
+void Hdf5File::write_waiting(const std::string& path, Column& of)
+{
+    if (of.waiting.empty()) return;
+    const hsize_t added = of.waiting.size(), count = of.rows + added;
+    demand(H5Dset_extent(of.data_set, &count), path);
+    const Hdf5Handle target(H5Dget_space(of.data_set), H5Sclose, "a data space");
+    H5Sselect_hyperslab(target, H5S_SELECT_SET, &of.rows, nullptr, &added, nullptr);
+    demand(H5Dwrite(of.data_set, H5T_NATIVE_DOUBLE, space({added}), target, H5P_DEFAULT, of.waiting.data()), path);
+    of.rows = count;
+    of.waiting.clear();
+}
+
+void Hdf5File::write_waiting(const std::string& path)
+{
+    const auto found = columns_.find(path);
+    if (found != columns_.end()) write_waiting(path, found->second);
 }
 
 void Hdf5File::write_rows(const std::string& path, const std::string& unit, hid_t type, const void* data,
@@ -264,6 +278,7 @@ std::vector<std::string> Hdf5File::names_in(const std::string& path)
 
 std::vector<double> Hdf5File::numbers(const std::string& path)
 {
+    write_waiting(path);
     if (!there(file_, path)) return {};
     const Hdf5Handle data_set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, path);
     const Hdf5Handle shape(H5Dget_space(data_set), H5Sclose, "a data space");
@@ -275,6 +290,7 @@ std::vector<double> Hdf5File::numbers(const std::string& path)
 
 void Hdf5File::shorten(const std::string& path, std::size_t rows)
 {
+    write_waiting(path);
     remembered_.clear();
     columns_.erase(path);
     const hsize_t count = rows;
@@ -284,6 +300,11 @@ void Hdf5File::shorten(const std::string& path, std::size_t rows)
 
 void Hdf5File::remove(const std::string& path) { demand(H5Ldelete(file_, path.c_str(), H5P_DEFAULT), path); }
 
-void Hdf5File::flush() { demand(H5Fflush(file_, H5F_SCOPE_GLOBAL), "what was recorded"); }
+void Hdf5File::flush()
+{
+    for (auto& [path, column] : columns_)
+        write_waiting(path, column);
+    demand(H5Fflush(file_, H5F_SCOPE_GLOBAL), "what was recorded");
+}
 
 }  // namespace interphase

@@ -53,7 +53,8 @@ public:
     /// An attribute with one number.
     double number_attribute(const std::string& object, const std::string& name);
 
-    /// Appends to a one-dimensional data set of doubles, made with its unit where it is missing.
+    /// Appends to a one-dimensional data set of doubles, made with its unit where it is missing: in the file with the
+    /// next flush().
     void append(const std::string& path, const std::string& unit, const std::vector<double>& values);
 
     /// Remembers data sets that append() has made longer, in this order: append_to() makes all of them longer again, by
@@ -97,11 +98,15 @@ private:
     /// A data set that append() makes longer; left open, since opening takes longer than appending.
     struct Column {
         Hdf5Handle data_set;
-        hsize_t rows;
+        hsize_t rows;  ///< in the file
+        std::vector<double>
+            waiting;  ///< rows for flush(), which writes them at once, however often append() was called
     };
 
     Hdf5Handle object(const std::string& path);
     static void append(Column& to, const std::vector<double>& values);
+    static void write_waiting(const std::string& path, Column& of);
+    void write_waiting(const std::string& path);
     Column& column(const std::string& path);
     void make_column(const std::string& path, const std::string& unit);
 
