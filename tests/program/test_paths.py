@@ -73,7 +73,7 @@ class AsItIsInTheTree(Paths):
     def test_a_file_that_no_program_makes(self):
         gas_box.write(self.case)
         script = os.path.join(self.case, "dem/in.liggghts")
-        support.write(script, support.read(script) + "\nread_restart dem/nothing.restart\n")
+        support.write(script, support.read(script).replace("region box", "read_restart dem/nothing.restart\nregion box", 1))
         self.stopped(support.execute(self.case), "the script reads `dem/nothing.restart`, which is not there.*remedy: name the file")
 
 
