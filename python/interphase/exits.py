@@ -30,6 +30,18 @@ def after(main, tool, folder):
         sys.exit(130)
 
 
+def of_drawing(main, tool):
+    """Ends with 0 where main() has drawn; 1 where a run cannot be read or a picture not be written; 130: Ctrl-C."""
+    try:
+        main()
+    except (InputError, OSError, KeyError) as error:
+        print(f"{tool}: error: {error}", file=sys.stderr)
+        sys.exit(1)
+    except KeyboardInterrupt:
+        print(f"{tool}: stopped", file=sys.stderr)
+        sys.exit(130)
+
+
 def with_verdict(main, tool, cannot):
     """Ends with the code that main(words of the command line) returns; a mistake of ours with `cannot`: it must not read as "different"."""
     try:

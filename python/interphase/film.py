@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A film of pictures, handed to ffmpeg one by one: no file of a frame is left."""
 
+import contextlib
 import os
 import shutil
 import subprocess
@@ -64,13 +65,15 @@ def write(path, frames, rate):
                     if image.shape != first.shape:
                         raise InputError(f"{path}: a frame of {image.shape[1]} x {image.shape[0]} pixels among those of {columns} x {rows}")
                     encoder.stdin.write(numpy.ascontiguousarray(image).tobytes())
-                encoder.stdin.close()
             except BrokenPipeError:
-                pass
+                pass  # ffmpeg has ended, and said why
             except BaseException:
                 encoder.kill()
                 _remove(part)
                 raise
+            finally:
+                with contextlib.suppress(BrokenPipeError):  # what is left of a frame has nowhere to go then
+                    encoder.stdin.close()
             code = encoder.wait()
         if code:
             words.seek(0)

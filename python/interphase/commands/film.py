@@ -8,7 +8,7 @@ import sys
 import matplotlib.pyplot as plt
 import numpy
 
-from interphase import film
+from interphase import exits, film
 from interphase.commands import picture
 from interphase.input_error import InputError
 from interphase.picture_figure import Picture
@@ -98,8 +98,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except (InputError, OSError, KeyError) as error:
-        print(f"tools/film: error: {error}", file=sys.stderr)
-        sys.exit(1)
+    exits.of_drawing(main, "tools/film")

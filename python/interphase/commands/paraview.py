@@ -16,7 +16,7 @@ import tempfile
 
 import numpy
 
-from interphase import gas_mesh, paraview_files
+from interphase import exits, gas_mesh, paraview_files
 from interphase.commands.picture import span
 from interphase.input_error import InputError
 from interphase.picture_quantities import GAS
@@ -113,8 +113,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except (InputError, OSError, KeyError) as error:
-        print(f"tools/paraview: error: {error}", file=sys.stderr)
-        sys.exit(1)
+    exits.of_drawing(main, "tools/paraview")

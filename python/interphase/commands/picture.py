@@ -10,7 +10,7 @@ import sys
 
 import numpy
 
-from interphase import picture_curves, picture_figure, picture_law
+from interphase import exits, picture_curves, picture_figure, picture_law
 from interphase.input_error import InputError
 from interphase.picture_quantities import GAS, PARTICLES, range_text
 from interphase.picture_scales import Scales
@@ -126,8 +126,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except (InputError, OSError, KeyError) as error:
-        print(f"tools/picture: error: {error}", file=sys.stderr)
-        sys.exit(1)
+    exits.of_drawing(main, "tools/picture")
