@@ -5,17 +5,6 @@
 
 namespace interphase {
 
-namespace {
-
-std::string percent(double share)
-{
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
-    return text;
-}
-
-}  // namespace
-
 double Wholes::of(Whole whole) const
 {
     switch (whole) {
@@ -81,6 +70,13 @@ std::string name_of(Whole whole)
             break;
     }
     return "";
+}
+
+std::string percent(double share)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
+    return text;
 }
 
 std::string with_separators(long number)

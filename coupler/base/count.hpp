@@ -62,6 +62,9 @@ std::string verdict(const Count& count, const Wholes& wholes);
 /// "of the particles, step by step".
 std::string name_of(Whole whole);
 
+/// "0.37 %".
+std::string percent(double share);
+
 /// "241,021".
 std::string with_separators(long number);
 

@@ -14,15 +14,15 @@
 namespace interphase {
 
 /// With the engine's name in its words.
-inline constexpr CountKind warnings_of_engine{"warnings_of_ENGINE",
-                                              "warnings of ENGINE",
-                                              Whole::nothing,
-                                              "What LIGGGHTS or OpenFOAM warned of, which they only write into their "
-                                              "logs. Those that differ in numbers are of one "
-                                              "kind, and each kind was told once, in the engine's words.",
-                                              Worry::any,
-                                              "What a warning means, the engine's words tell.",
-                                              "read them, above or in the engine's log"};
+inline constexpr CountKind warnings_of_engine{
+    "warnings_of_ENGINE",
+    "warnings of ENGINE",
+    Whole::nothing,
+    "What LIGGGHTS or OpenFOAM warned of, which they only write into their logs. Those that differ in numbers are of "
+    "one kind, and each kind was told once, in the engine's words.",
+    Worry::any,
+    "What a warning means, the engine's words tell.",
+    "read them, above or in the engine's log"};
 
 /// What an engine warns of, which it writes into its log only: each kind is to be told once, and all are counted.
 /// Warnings that differ in their numbers are of one kind.

@@ -20,7 +20,7 @@ std::string when(const CountKind& kind)
         case Worry::share:
             break;
     }
-    return "Look at it above 1 %.";
+    return "Look at it above " + percent(tolerable_share) + ".";
 }
 
 std::string part(const CountKind& kind)
@@ -51,18 +51,14 @@ std::string count_page(const CountKinds& of_engines)
 {
     std::string page =
         "# What a run counts\n\nAs `interphase -help counts` prints it. Ranges that were left, clamps and steps that "
-        "were "
-        "too long are counted from the start of a run, over its resumes, and stand at the end of the screen's output: "
-        "the "
-        "number, what share it is, and whether to look at it. `/ledger` of `results.h5` has most of them step by "
-        "step.\n\n"
-        "Where a share decides, the limit is 1 %: what is off in a hundredth of all places and steps, and there by no "
-        "more "
-        "than its own size, moves a mean over all of them by at most 1 %. The drop of `cases/sscp1`, a mean that is "
-        "known "
-        "well, has a standard error of 0.4 %, and drag laws that claim the same range differ by more. A share is no "
-        "bound "
-        "for what happens in one place: look where it happens if that is what you want to know.\n";
+        "were too long are counted from the start of a run, over its resumes, and stand at the end of the screen's "
+        "output: the number, what share it is, and whether to look at it. `/ledger` of `results.h5` has most of them "
+        "step by step.\n\nWhere a share decides, the limit is " +
+        percent(tolerable_share) +
+        ": what is off in a hundredth of all places and steps, and there by no more than its own size, moves a mean "
+        "over all of them by at most 1 %. The drop of `cases/sscp1`, a mean that is known well, has a standard error "
+        "of 0.4 %, and drag laws that claim the same range differ by more. A share is no bound for what happens in one "
+        "place: look where it happens if that is what you want to know.\n";
     for (const CountKind* kind : counts_of_the_step())
         page += "\n" + part(*kind);
     for (const CountKind* kind : of_engines)

@@ -26,7 +26,7 @@ std::string duration(double seconds)
     return text;
 }
 
-std::string percent(double share)
+std::string share_in_percent(double share)
 {
     char text[32];
     std::snprintf(text, sizeof text, share > 0 && share < 1e-5 ? "< 0.001 %%" : "%.3f %%", 100 * share);
@@ -44,7 +44,8 @@ void tell_counts(const Report::Summary& of)
         const bool any = count.number > 0;
         some = some || any;
         std::printf("    %-43s %12s", count.kind->text, with_separators(count.number).c_str());
-        if (any) std::printf(" %10s   %s", share ? percent(*share).c_str() : "", verdict(count, of.wholes).c_str());
+        if (any)
+            std::printf(" %10s   %s", share ? share_in_percent(*share).c_str() : "", verdict(count, of.wholes).c_str());
         std::printf("\n");
     }
     if (some) std::printf("    what they are, and when to worry: interphase -help counts\n");

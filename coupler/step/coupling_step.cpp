@@ -144,6 +144,12 @@ void CouplingStep::bring_particles_to_their_cells()
     visitors_.cell = owner_exchange_.cells();
 }
 
+void CouplingStep::take_voidage(const Scalars& solid_volume)
+{
+    for (std::size_t c = 0; c < voidage_.size(); ++c)
+        voidage_[c] = 1.0 - solid_volume[c] / gas_.mesh().volume[c];
+}
+
 void CouplingStep::map_voidage()
 {
     stopwatch_.switch_to(Phase::mapping);
@@ -161,8 +167,7 @@ void CouplingStep::map_voidage()
     solid_volume_ = mapping_.solid_volume(volumes_);
     relieved_ += mapping_.cells_relieved();
     if (!settings_.two_way) return;  // the gas does not feel the particles
-    for (std::size_t c = 0; c < voidage_.size(); ++c)
-        voidage_[c] = 1.0 - solid_volume_[c] / gas_.mesh().volume[c];
+    take_voidage(solid_volume_);
     if (gas_volume_.empty())
         for (std::size_t c = 0; c < voidage_.size(); ++c)
             gas_volume_.push_back(voidage_[c] * gas_.mesh().volume[c]);

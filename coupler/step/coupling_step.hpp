@@ -85,6 +85,7 @@ private:
     void displace_gas_of_newcomers();
     std::vector<double> at_visitors(std::vector<double> of_travellers) const;
     void map_voidage();
+    void take_voidage(const Scalars& solid_volume);
     void map_solid_stress();
     void ask_for_forces(double dt);
     void solve_gas(double dt);

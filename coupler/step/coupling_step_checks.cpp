@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What ends a coupling step: particles outside the mesh, numbers that cannot be.
+// The start as it is found, and what ends a coupling step: particles outside the mesh, numbers that cannot be.
 #include <cmath>
 
 #include "base/sphere.hpp"
@@ -45,9 +45,7 @@ void CouplingStep::look_at_start()
         volumes.push_back(sphere.volume);
     }
     mapping_.place(positions, owner_exchange_.cells(), volumes);
-    const Scalars solid_volume = mapping_.solid_volume(volumes);
-    for (std::size_t c = 0; c < voidage_.size(); ++c)
-        voidage_[c] = 1.0 - solid_volume[c] / gas_.mesh().volume[c];
+    take_voidage(mapping_.solid_volume(volumes));
 }
 
 void CouplingStep::refuse_other_periods() const

@@ -10,12 +10,10 @@ inline constexpr CountKind cells_relieved{
     "cells relieved at the packing limit",
     Whole::cell_steps,
     "A cell had more solids than `mapping { maximumPacking }`. What was above went on to its neighbours, with its "
-    "share of "
-    "all that particles and gas exchange: volume and momentum are kept.",
+    "share of all that particles and gas exchange: volume and momentum are kept.",
     Worry::share,
     "The solid fraction of such a cell is off by less than its own size. Spheres of one size do not pack above 0.74, "
-    "so "
-    "they overlap, or the kernel is narrower than they are.",
+    "so they overlap, or the kernel is narrower than they are.",
     "wider cells, a wider kernel (`mapping { widthInDiameters }`) or a lower weight; stiffer contacts where particles "
     "overlap"};
 
@@ -27,27 +25,25 @@ inline constexpr CountKind particles_outside_mesh{"particles_outside_mesh",
                                                   "`outsideMesh ignore;` asks for it; without that the run stops.",
                                                   ""};
 
-inline constexpr CountKind centres_beyond_edge{"centres_beyond_edge",
-                                               "centres beyond a facet, in the nearest cell",
-                                               Whole::particle_steps,
-                                               "A particle's centre was outside the gas mesh by less than its radius, "
-                                               "as in a round vessel, whose mesh has facets. It "
-                                               "belongs to the cell there.",
-                                               Worry::never,
-                                               "Its volume stays right to 1e-12 (`tests/program/SCENES.md`).",
-                                               ""};
+inline constexpr CountKind centres_beyond_edge{
+    "centres_beyond_edge",
+    "centres beyond a facet, in the nearest cell",
+    Whole::particle_steps,
+    "A particle's centre was outside the gas mesh by less than its radius, as in a round vessel, whose mesh has "
+    "facets. It belongs to the cell there.",
+    Worry::never,
+    "Its volume stays right to 1e-12 (`tests/program/SCENES.md`).",
+    ""};
 
-inline constexpr CountKind cells_pushed{
-    "cells_pushed",
-    "cells too full for what was inserted",
-    Whole::cell_steps,
-    "More was inserted into a cell at once than half of its gas has room for. The rest of the gas was pushed out by "
-    "the "
-    "flow, in one step.",
-    Worry::any,
-    "That is a burst of pressure: where all of 1,000 spheres came so, a small vessel's drop went from -388 to +330 Pa "
-    "instead of 6.",
-    "insert less at once, or in a larger region"};
+inline constexpr CountKind cells_pushed{"cells_pushed",
+                                        "cells too full for what was inserted",
+                                        Whole::cell_steps,
+                                        "More was inserted into a cell at once than half of its gas has room for. The "
+                                        "rest of the gas was pushed out by the flow, in one step.",
+                                        Worry::any,
+                                        "That is a burst of pressure: where all of 1,000 spheres came so, a small "
+                                        "vessel's drop went from -388 to +330 Pa instead of 6.",
+                                        "insert less at once, or in a larger region"};
 
 inline constexpr CountKind steps_alternating{
     "steps_alternating",
@@ -81,8 +77,7 @@ inline constexpr CountKind steps_outrun_by_waves{
     "gas steps that waves outrun",
     Whole::gas_steps,
     "Waves of the solid fraction crossed more than half a cell in the step: then they grow, as drag is of the voidage "
-    "at "
-    "the step's start.",
+    "at the step's start.",
     Worry::share,
     "It takes many steps in a row for a wave to grow (`tests/program/test_waves.py`).",
     "a shorter gas step (deltaT), or `adjustTimeStep yes;`"};
@@ -92,8 +87,7 @@ inline constexpr CountKind cells_beyond_close_packing{
     "cells beyond close packing",
     Whole::cell_steps,
     "MP-PIC: a cell's solid fraction was above the close packing of the solids' stress, which has no contacts to keep "
-    "it "
-    "below.",
+    "it below.",
     Worry::share,
     "Where slugs fall back it happens: 0.12 % in sscp1 at 2.19 m/s (`cases/sscp1/README.md`), up to 0.641 where 0.6 is "
     "close packing (`plugins/mp_pic/README.md`). A bed at rest has none.",

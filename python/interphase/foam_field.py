@@ -88,9 +88,14 @@ def internal_values(path, more=0.0):
     return f"nonuniform List<{kind}>\n{count}\n(\n" + "\n".join(rows) + "\n)"
 
 
+def mesh_file(folder, name):
+    """The path of a file of the mesh in the case `folder`; None where it is not there."""
+    return path_of(os.path.join(folder, "constant/polyMesh"), name)
+
+
 def points(folder):
     """Of the mesh in the case `folder` [n, 3], m; None where there are none."""
-    path = path_of(os.path.join(folder, "constant/polyMesh"), "points")
+    path = mesh_file(folder, "points")
     return path and whole_list(path, content(path), 3)
 
 

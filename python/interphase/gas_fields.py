@@ -10,9 +10,9 @@ import numpy
 from interphase import foam_field
 from interphase.input_error import InputError
 from interphase.parts import times
+from interphase.same_time import same_time
 from interphase.run import no_such
 
-SAME_TIME = 1e-6  # relative: times are typed, and named in folders, with few digits
 BASE_UNITS = ("kg", "m", "s", "K", "mol", "A", "cd")  # the order of OpenFOAM's `dimensions`
 NAMED = {(1, -1, -2): "Pa", (0, 0, 0): "1"}
 
@@ -48,7 +48,7 @@ def _chosen(folder, found, time):
     if not every:
         raise InputError(f"{folder}: no fields of the gas were written; writeInterval in system/controlDict asks for them")
     chosen = max(every, key=every.get) if time is None else min(every, key=lambda name: abs(every[name] - time))
-    if time is not None and abs(every[chosen] - time) > SAME_TIME * max(abs(time), every[chosen]):
+    if time is not None and not same_time(every[chosen], time):
         raise InputError(f"{folder}: no fields of the gas at {time:.9g} s; there are those of {', '.join(sorted(every, key=every.get))} s")
     if chosen not in found:
         raise InputError(f"{folder}: the gas at {chosen} s is in the pieces of its ranks: reconstructPar -case {folder} puts them together")

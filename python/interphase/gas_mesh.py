@@ -9,9 +9,8 @@ import numpy
 
 from interphase import foam_field
 from interphase.input_error import InputError
-from interphase.parts import times
+from interphase.parts import ranks, times
 
-MESH = os.path.join("constant", "polyMesh")
 # Patches of one layer of cells in y, or that join pieces: no place where the vessel ends.
 INNER = ("processor", "processorCyclic", "empty", "cyclic", "cyclicAMI", "wedge", "symmetry", "symmetryPlane")
 
@@ -58,32 +57,26 @@ def pieces(folder):
     return [each for each in ranks(folder) if _has_mesh(each)]
 
 
-def ranks(folder):
-    """The folders processor0, processor1, ... in `folder`, in order."""
-    found = []
-    while os.path.isdir(os.path.join(folder, f"processor{len(found)}")):
-        found.append(os.path.join(folder, f"processor{len(found)}"))
-    return found
-
-
 def _has_mesh(folder):
-    return all(foam_field.path_of(os.path.join(folder, MESH), name) for name in ("points", "faces", "owner", "neighbour", "boundary"))
+    return all(foam_field.mesh_file(folder, name) for name in ("points", "faces", "owner", "neighbour", "boundary"))
 
 
 def read(folder):
     """The `GasMesh` in constant/polyMesh of `folder`; InputError where its files cannot be read."""
     def path(name):
-        found = foam_field.path_of(os.path.join(folder, MESH), name)
+        found = foam_field.mesh_file(folder, name)
         if found is None:
-            raise InputError(f"{os.path.join(folder, MESH)}: has no file {name}")
+            raise InputError(f"{os.path.join(folder, 'constant/polyMesh')}: has no file {name}")
         return found
-
-    def labels(name):
-        return foam_field.whole_list(path(name), foam_field.content(path(name)), 1, labels=True)[:, 0].astype(int)
 
     points = foam_field.whole_list(path("points"), foam_field.content(path("points")), 3)
     corners, first = _faces(path("faces"))
-    return GasMesh(points, corners, first, labels("owner"), labels("neighbour"), _patches(path("boundary")))
+    return GasMesh(points, corners, first, labels(path("owner")), labels(path("neighbour")), _patches(path("boundary")))
+
+
+def labels(path):
+    """The whole numbers [n] of a file of a mesh: owner, cellProcAddressing, ..."""
+    return foam_field.whole_list(path, foam_field.content(path), 1, labels=True)[:, 0].astype(int)
 
 
 def _faces(path):

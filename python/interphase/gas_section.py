@@ -9,8 +9,6 @@ import numpy
 from interphase import foam_field, gas_mesh, parts
 from interphase.input_error import InputError
 
-SAME_TIME = 1e-6  # relative: folders are named with few digits
-
 
 @dataclass(frozen=True)
 class Section:
@@ -38,7 +36,7 @@ class GasSections:
     def _find(self, field):
         found = {}
         whole = gas_mesh.pieces(self.folder) == [self.folder]
-        ranks = gas_mesh.ranks(self.folder)
+        ranks = parts.ranks(self.folder)
         for name, time in parts.times(ranks[0]).items() if ranks else ():
             if all(foam_field.path_of(os.path.join(rank, name), field) for rank in ranks):
                 found[time] = [os.path.join(rank, name) for rank in ranks]
@@ -85,7 +83,3 @@ def _has_values(path):
     except (InputError, ValueError):
         return False
     return True
-
-
-def same_time(one, other):
-    return abs(one - other) <= SAME_TIME * max(abs(one), abs(other), 1e-300)

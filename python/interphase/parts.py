@@ -21,6 +21,14 @@ def times(folder):
     return {name: float(name) for name in (_named(folder, TIME) if os.path.isdir(folder) else ())}
 
 
+def ranks(folder):
+    """The folders processor0, processor1, ... in `folder`, in order."""
+    found = []
+    while os.path.isdir(os.path.join(folder, f"processor{len(found)}")):
+        found.append(os.path.join(folder, f"processor{len(found)}"))
+    return found
+
+
 def collated(folder):
     """Names of the folders that hold the parts of several ranks, written by OpenFOAM's `collated` file handler."""
     return _named(folder, COLLATED)

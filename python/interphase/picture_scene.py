@@ -9,10 +9,11 @@ from functools import cached_property
 import numpy
 
 from interphase import gas_mesh, parameters, script_walls
-from interphase.gas_section import GasSections, same_time
+from interphase.gas_section import GasSections
 from interphase.input_error import InputError
 from interphase.picture_quantities import GAS, check
 from interphase.run import Run
+from interphase.same_time import same_time
 from interphase.wall_lines import Walls
 
 FEW = 20  # particles whose paths are drawn, since a picture of the vessel shows little of them

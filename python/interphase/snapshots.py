@@ -9,10 +9,9 @@ import numpy
 from interphase import stored
 from interphase.input_error import InputError
 from interphase.run import no_such
+from interphase.same_time import same_time
 from interphase.stored import open_h5
 from interphase.whole_records import whole_snapshots
-
-SAME_TIME = 1e-6  # relative: times are typed with few digits
 
 
 class Snapshot:
@@ -118,6 +117,6 @@ class Snapshots(Sequence):
     def at(self, time):
         """The Snapshot at `time` [s]; InputError with the nearest where there is none."""
         nearest = min(self._found, key=lambda each: abs(each.time - time), default=None)
-        if nearest is None or abs(nearest.time - time) > SAME_TIME * max(abs(time), nearest.time):
+        if nearest is None or not same_time(nearest.time, time):
             raise InputError(f"{self._path}: no snapshot at {time:.9g} s" + (f"; the nearest is at {nearest.time:.9g} s" if nearest else ""))
         return nearest

@@ -15,7 +15,7 @@ import numpy
 from interphase import foam_field, foam_file, launch, parts
 from interphase.case_folder import CONTROL, PARAMETERS, Dictionaries
 from interphase.input_error import InputError
-from interphase.starting_run import SAME_TIME
+from interphase.same_time import same_time
 
 MESH = ("points", "faces", "owner", "neighbour")
 START = "0"
@@ -73,7 +73,7 @@ def _time_folder(start):
     """(name, whether it is in parts) of the time folder of the snapshot; (None, False) where there is none."""
     for folder in (start.folder, _parts(start.folder)):
         for name, time in _times(folder).items() if folder else ():
-            if abs(time - start.time) <= SAME_TIME * max(time, start.time):
+            if same_time(time, start.time):
                 return name, folder != start.folder
     return None, False
 
@@ -86,7 +86,7 @@ def _nearest_times(start):
 
 def _same(one, other, name):
     """Whether a file of two meshes says the same, apart from its header."""
-    paths = [foam_field.path_of(os.path.join(folder, "constant/polyMesh"), name) for folder in (one, other)]
+    paths = [foam_field.mesh_file(folder, name) for folder in (one, other)]
     if None in paths:
         return paths == [None, None]
     a, b = (foam_field.content(path) for path in paths)
@@ -101,7 +101,7 @@ def _same(one, other, name):
 
 
 def _patches(folder):
-    path = foam_field.path_of(os.path.join(folder, "constant/polyMesh"), "boundary")
+    path = foam_field.mesh_file(folder, "boundary")
     return sorted(re.findall(r"(\w+)\s*\{", foam_field.body(foam_field.content(path)).decode()))
 
 

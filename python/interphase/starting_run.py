@@ -12,8 +12,7 @@ from interphase import run_state
 from interphase.input_error import InputError
 from interphase.particle_states import ParticleState
 from interphase.run_records import find_run
-
-SAME_TIME = 1e-6  # relative: times are typed, and named in folders, with few digits
+from interphase.same_time import same_time
 
 
 @dataclass
@@ -46,7 +45,7 @@ def find(text):
     if not times:
         raise InputError(f"{folder}: particles.h5 holds no whole snapshot; snapshotInterval of records in couplingDict asks for them")
     time = times[-1] if asked is None else min(times, key=lambda each: abs(each - asked))
-    if asked is not None and abs(time - asked) > SAME_TIME * max(asked, time):
+    if asked is not None and not same_time(time, asked):
         raise InputError(f"{folder}: no whole snapshot at t = {asked:.9g} s; the nearest is at {time:.9g} s: --from {folder}@{time:.9g}")
     for frame in run.frames():
         if frame.time == time:

@@ -2,19 +2,12 @@
 """OpenFOAM's polyMesh and cell fields as arrays, in ASCII files."""
 
 import os
-import re
 
 import numpy
 
-from interphase import foam_field
+from interphase import foam_field, gas_mesh
 
 HEADER = "FoamFile {{ version 2.0; format ascii; class {}; object {}; }}\n"
-
-
-def read_list(path, components=None):
-    """The numbers of a list of labels [n], or with `components` of vectors [n, components]."""
-    found = foam_field.whole_list(path, foam_field.content(path), components or 1, labels=components is None)
-    return found if components else found[:, 0].astype(int)
 
 
 def read_field(folder, time, name, cells):
@@ -29,12 +22,9 @@ class FoamMesh:
     as OpenFOAM computes them."""
 
     def __init__(self, folder):
-        at = os.path.join(folder, "constant", "polyMesh")
-        self.points, self.owner, self.neighbour = (read_list(os.path.join(at, name), components)
-                                                   for name, components in (("points", 3), ("owner", None), ("neighbour", None)))  # fmt: skip
-        faces = foam_field.body(foam_field.content(os.path.join(at, "faces")))
-        self.faces = [numpy.array(face[1].split(), int) for face in re.finditer(rb"\d\(([\d\s]+)\)", faces)]
-        self.cells = int(max(self.owner.max(), self.neighbour.max())) + 1  # the last may own no face
+        mesh = gas_mesh.read(folder)
+        self.points, self.owner, self.neighbour, self.cells = mesh.points, mesh.owner, mesh.neighbour, mesh.cells
+        self.faces = numpy.split(mesh.corners, mesh.first[1:-1])
         self._measure()
 
     def _measure(self):

@@ -21,7 +21,7 @@ import typing
 import foam_mesh
 import numpy
 import support
-from interphase import data_file, tables
+from interphase import data_file, gas_mesh, tables
 import zoo_meshes as meshes
 import zoo_packings
 from zoo_packings import A, D, SPHERE, Packing, lattice, radii, rings
@@ -270,7 +270,7 @@ def solids(folder, mesh, ranks=1):
     whole = numpy.full(mesh.cells, numpy.nan)
     for rank in range(ranks):
         part = os.path.join(folder, f"processor{rank}")
-        cells = foam_mesh.read_list(os.path.join(part, "constant/polyMesh/cellProcAddressing"))
+        cells = gas_mesh.labels(os.path.join(part, "constant/polyMesh/cellProcAddressing"))
         whole[cells] = 1 - foam_mesh.read_field(part, "1e-06", "voidage", len(cells))
     return whole
 

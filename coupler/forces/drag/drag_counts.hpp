@@ -13,8 +13,7 @@ inline constexpr CountKind beyond_drag_range{
     "range. The formula was taken as it stands.",
     Worry::share,
     "Each is weighed with how far its drag factor is from Wen and Yu's, whose range is a voidage of 0.4 to 1, in "
-    "denser "
-    "places from Ergun's (from 0.35); where neither claims to hold, with its own size.",
+    "denser places from Ergun's (from 0.35); where neither claims to hold, with its own size.",
     "take a law whose range holds what the scene has (`coupler/forces/drag/drag_law.cpp` has the ranges)"};
 
 inline constexpr CountKind self_disturbance_limited{

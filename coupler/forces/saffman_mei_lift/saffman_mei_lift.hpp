@@ -9,8 +9,8 @@ inline constexpr CountKind beyond_lift_range{
     "beyond_lift_range",
     "particles beyond the lift law's range",
     Whole::particle_steps,
-    "A particle's Reynolds number or its shear was beyond the range of Mei's correction (0.1 <= Re <= 100, "
-    "0.005 <= b <= 0.4). The formula was taken as it stands.",
+    "A particle's Reynolds number or its shear was beyond the range of Mei's correction (0.1 <= Re <= 100, 0.005 <= b "
+    "<= 0.4). The formula was taken as it stands.",
     Worry::share,
     "How far the lift is off there is not known: its own size is taken.",
     "where the lift matters, look at how much the run changes without it (`forces ()`)"};

@@ -8,11 +8,10 @@ import sys
 import matplotlib.pyplot as plt
 import numpy
 
-from interphase import exits, film
+from interphase import command_line, exits, film
 from interphase.commands import picture
 from interphase.input_error import InputError
 from interphase.picture_figure import Picture
-from interphase.picture_quantities import GAS
 from interphase.picture_scales import Scales
 from interphase.picture_scene import Scene, evenly_spaced, view
 
@@ -35,20 +34,13 @@ def arguments():
     parser.add_argument("run", metavar="RUN", help="a run's folder (with particles.h5)")
     parser.add_argument("-o", "--output", metavar="FILE", help="the film, by its end .mp4, .webp or .gif (default: RUN/bed.mp4)")
     pace = parser.add_mutually_exclusive_group()
-    pace.add_argument("--fps", metavar="N", type=_above_zero, help=f"frames, that is snapshots, a second (default {RATE:g})")
-    pace.add_argument("--speed", metavar="S", type=_above_zero, help="simulated seconds in a second of the film; 1: as fast as it was")
-    parser.add_argument("--from", metavar="T", type=float, dest="start", default=-numpy.inf, help="the first snapshot's time at least, in s")
-    parser.add_argument("--to", metavar="T", type=float, dest="end", default=numpy.inf, help="the last one's at most, in s")
-    parser.add_argument("--height", metavar="PIXELS", type=_above_zero, default=720.0, help="of the film (default 720)")
+    pace.add_argument("--fps", metavar="N", type=command_line.positive, help=f"frames, that is snapshots, a second (default {RATE:g})")
+    pace.add_argument("--speed", metavar="S", type=command_line.positive, help="simulated seconds in a second of the film; 1: as fast as it was")
+    parser.add_argument("--from", metavar="T", type=command_line.number, dest="start", default=-numpy.inf, help="the first snapshot's time at least, in s")
+    parser.add_argument("--to", metavar="T", type=command_line.number, dest="end", default=numpy.inf, help="the last one's at most, in s")
+    parser.add_argument("--height", metavar="PIXELS", type=command_line.positive, default=720.0, help="of the film (default 720)")
     picture.add_looks(parser)
     return parser.parse_args()
-
-
-def _above_zero(text):
-    value = float(text)
-    if not 0 < value < numpy.inf:
-        raise argparse.ArgumentTypeError(f"'{text}': a number above 0 is expected")
-    return value
 
 
 def rate_of(given, times):
@@ -64,9 +56,8 @@ def rate_of(given, times):
 
 def frames(given, scene, snapshots):
     """Images of one size."""
-    gas = None if given.gas == "none" else given.gas
-    if gas is None and given.gas is None and all(scene.has_gas_at(each.time, GAS["voidage"][0]) for each in snapshots[1:]) and len(snapshots) > 1:
-        gas = "voidage"
+    later = [each.time for each in snapshots[1:]]  # at the start there is none
+    gas = picture.gas_of(given, [scene], [later]) if later or given.gas else None
     scales = Scales([scene], picture.colour_of(given, [scene]), gas, given.range, given.gas_range)
     spread = [snapshots[at] for at in {0, *evenly_spaced([each.time for each in snapshots], SPREAD)}]
     some = [scene.shown(each, scales.colour, gas) for each in spread]

@@ -16,7 +16,7 @@ import tempfile
 
 import numpy
 
-from interphase import exits, gas_mesh, paraview_files
+from interphase import command_line, exits, gas_mesh, paraview_files
 from interphase.commands.picture import span
 from interphase.input_error import InputError
 from interphase.picture_quantities import GAS
@@ -31,7 +31,7 @@ def arguments():
     parser = argparse.ArgumentParser(prog="tools/paraview", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("run", metavar="RUN", help="a run's folder (with particles.xdmf)")
     parser.add_argument("--screenshot", metavar="FILE", help="draw it, too; on a machine without a display by xvfb-run")
-    parser.add_argument("--time", metavar="T", type=float, help="of the screenshot, in s (default: the last snapshot's)")
+    parser.add_argument("--time", metavar="T", type=command_line.number, help="of the screenshot, in s (default: the last snapshot's)")
     parser.add_argument("--gas", metavar="NAME", default="voidage", help="a field of the gas, such as voidage, p_rgh, or none (default: voidage)")
     parser.add_argument("--range", metavar="LOW,HIGH", type=span, help="of the vertical velocity; --range=-1,1 where LOW is negative")
     parser.add_argument("--gas-range", metavar="LOW,HIGH", type=span, help="of the gas")

@@ -10,7 +10,7 @@ import sys
 
 import numpy
 
-from interphase import exits, picture_curves, picture_figure, picture_law
+from interphase import command_line, exits, picture_curves, picture_figure, picture_law
 from interphase.input_error import InputError
 from interphase.picture_quantities import GAS, PARTICLES, range_text
 from interphase.picture_scales import Scales
@@ -64,8 +64,8 @@ def arguments():
                                      description=DESCRIPTION, epilog=EPILOG)  # fmt: skip
     parser.add_argument("runs", metavar="RUN", nargs="+", help="a run's folder (with particles.h5); of several, a strip for each")
     parser.add_argument("-o", "--output", metavar="FILE", help="the picture (default: bed.png in the first RUN)")
-    parser.add_argument("--time", metavar="T", type=float, help="one snapshot instead of a strip, that nearest to T, in s")
-    parser.add_argument("--dpi", metavar="N", type=float, default=DPI, help=f"pixels per inch (default {DPI})")
+    parser.add_argument("--time", metavar="T", type=command_line.number, help="one snapshot instead of a strip, that nearest to T, in s")
+    parser.add_argument("--dpi", metavar="N", type=command_line.positive, default=DPI, help=f"pixels per inch (default {DPI})")
     add_looks(parser)
     return parser.parse_args()
 
