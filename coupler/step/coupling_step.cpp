@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/coupling_step.hpp"
 
-#include <cmath>
-
 #include "base/sphere.hpp"
 #include "exchange/moved_cells.hpp"
-#include "step/step_counts.hpp"
 
 namespace interphase {
 
@@ -293,35 +290,6 @@ void CouplingStep::book_solids(const ParticleView& particles)
     ledger_.solids.step = {sum(volumes), in - booked_in_, out - booked_out_};
     booked_in_ = in;
     booked_out_ = out;
-}
-
-std::vector<Count> CouplingStep::counts() const
-{
-    std::vector<Count> all{{cells_relieved, relieved_},
-                           {particles_outside_mesh, outside_},
-                           {centres_beyond_edge, beyond_edge_},
-                           {cells_pushed, pushed_}};
-    const auto add = [&all](const std::vector<Count>& more) { all.insert(all.end(), more.begin(), more.end()); };
-    add(forces_.counts());
-    if (settings_.two_way) add(watch_.counts());
-    if (stress_) add(stress_->counts());
-
-    Scalars numbers;
-    for (const Count& count : all)
-        numbers.insert(numbers.end(), {static_cast<double>(count.number), count.off});
-    comm_.sum(numbers);
-    for (std::size_t n = 0; n < all.size(); ++n) {
-        all[n].number = std::lround(numbers[2 * n]);
-        all[n].off = numbers[2 * n + 1];
-    }
-    return all;
-}
-
-Wholes CouplingStep::wholes() const
-{
-    Wholes all = population_.wholes();
-    all.cell_steps = cells_ * all.gas_steps;
-    return all;
 }
 
 std::size_t CouplingStep::bytes_sent() const
