@@ -139,13 +139,22 @@ class Reported:
     notes: list
 
 
-def reported(runs, start=None, end=None, scene_file=None, every=1, progress=lambda name, done, of, time: None):
+def scene_of_all(runs, scene_file=None):
+    """(`Scene` that holds for all `Records` over all of their time, notes)."""
+    files, notes = _files(runs, names_of(runs), scene_file)
+    scene, more = _common_scene(files, runs, None, None)
+    return scene, notes + more
+
+
+def reported(runs, start=None, end=None, scene_file=None, every=1, progress=lambda name, done, of, time: None, scene=None):
     """`Reported` of the `Records` of several runs from `start` to `end` [s] (None: as tools/report chooses), by each `every`-th snapshot;
-    `scene_file` takes the place of the runs' system/reportDict. `progress` is called at each snapshot."""
+    `scene_file` takes the place of the runs' system/reportDict, `scene` of what that says to measure. `progress` is called at each snapshot."""
     names, where = names_of(runs), Matching("time", None)
     files, notes = _files(runs, names, scene_file)
     looked_at, more = _time_range(runs, names, files, start, end)
-    scene, of_scene = _common_scene(files, runs, looked_at.start, looked_at.end)
+    of_scene = []
+    if scene is None:
+        scene, of_scene = _common_scene(files, runs, looked_at.start, looked_at.end)
 
     def inside(time):
         return where.inside(time, looked_at.start, looked_at.end)
