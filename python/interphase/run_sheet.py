@@ -139,7 +139,8 @@ def _encoded(value):
 
 
 def _shortened(value):
-    return int(value) if value == int(value) and abs(value) < 1e15 else float(f"{value:.{DIGITS}g}")
+    short = float(f"{value:.{DIGITS}g}")
+    return int(short) if short == int(short) and abs(short) < 1e15 else short
 
 
 def _numbers(values):
