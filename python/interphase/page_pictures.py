@@ -16,7 +16,7 @@ from interphase.sphere_image import painted
 
 TIMES = 4
 ACROSS = 240  # pixels of a panel
-FRAMES, LONGEST = 60, 3.0  # of a film: frames at most, simulated seconds
+FRAMES, LONGEST = 40, 3.0  # of a film: frames at most, simulated seconds
 SLOWER = 0.5  # of the film's pace
 LARGEST = 1_450_000  # bytes; a third more as text in the page
 QUANTITY = PARTICLES["vertical_velocity"]

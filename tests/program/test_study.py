@@ -7,8 +7,8 @@ import os
 
 import support
 
-STUDY = """case "cases/periodic-duct"; until 0.02; from 0.004;
-developed { time 0.01; }
+STUDY = """case "cases/periodic-duct"; until 0.012; from 0.002;
+developed { time 0.006; }
 rows { TDHS { methods (TDHS); } parcels { methods (CGHS MPPIC); weights (2); } }
 """
 
@@ -30,7 +30,7 @@ class Study(support.ProgramTest):
         for name, bed in (("TDHS", "developed-w1"), ("parcels_CGHS-w2", "developed-w2"), ("parcels_MPPIC-w2", "developed-w2")):
             with open(os.path.join(self.root, "runs", name, "run.json"), encoding="utf-8") as stream:
                 record = json.load(stream)
-            self.assertEqual((os.path.basename(record["from"]["run"]), record["from"]["time"]), (bed, 0.01))
+            self.assertEqual((os.path.basename(record["from"]["run"]), record["from"]["time"]), (bed, 0.006))
             self.assertGreater(record["cpu_time"], 0)
         with open(os.path.join(self.root, "runs", "report.html"), encoding="utf-8") as stream:
             page = stream.read()
