@@ -8,6 +8,8 @@
   pressure    /series/pressure_drop: 45 mm above the floor, less the outlet's; its fluctuation is what was measured [Pa]
   surface     at each snapshot, in columns of COLUMN across, the height below which 99 % of the column's solids lie; the mean of the columns [m]
   deviation   the standard deviation; its error that of the mean square, autocorrelation taken in
+  packing     of a run with next to no gas (inletVelocity below AT_REST), at its end: the solids' volume over that of the bed, twice its mean height
+  U_mf        at which the drag law of the run carries a bed of that packing; of runs whose packing is stored
   strongest   the frequency of the highest power density, Welch's segments of SEGMENT; in brackets where the density is not surely below that
 """
 
@@ -19,26 +21,28 @@ import os
 import sys
 
 import numpy
-from scipy import signal, stats
+from scipy import optimize, signal, stats
 
 from interphase import InputError, Run, parameters, tables
+from interphase.drag_laws import LAWS
 from interphase.time_statistics import mean_with_error
 
 CASE = os.path.dirname(os.path.realpath(__file__))
 STUDY = os.path.join(CASE, "study")
 COLUMN = 0.005  # [m]
 SHARE = 0.99
+AT_REST = 0.01  # [m/s]
 SEGMENT = 2.5  # [s]
 CERTAINTY = 0.95
 HIGHEST = 12.0  # Hz that are kept of spectra
+WIDTH = 0.09  # of the vessel [m]
+MARKS = ("TDHS", "CGHS", "CGPM", "DEM")
 KEPT = 3.0  # s that are kept of the pressure, as many as were measured
 SHOWN = ("DEM", "TDHS", "CGHS-2", "CGHS-8")  # of the stored runs, in the picture's first two panels
-# Of the third: runs of the case as it is by their method, others as named here
-GROUPS = {"DEM": ("s", "DEM"), "TDHS": ("o", "TDHS"), "CGHS": ("o-", "CGHS, W = 2, 4, 8"), "CGPM": ("s-", "CGPM, W = 2, 4, 8"),
-          "MPPIC": ("^", "MP-PIC, W = 8"), "depth": ("D", "CGHS, W = 8, deeper vessels"), "thin": ("v", "TDHS, vessel of half the depth"),
-          "reach": ("*", "CGHS, W = 8, front and back where particles' would be")}  # fmt: skip
-GROUP = {"TDHS-thin": "thin", "CGHS-8-depth16": "depth", "CGHS-8-depth32": "depth", "CGHS-8-reach": "reach"}
-FIELDS = ("run", "method", "W", "differs", "from", "until", "diameter_over_depth", "deviation", "error", "doubt", "frequency", "frequency_low",
+AS_PACKING = ("W", "depth", "reach", "method")  # runs alike in these have the packing of the one at rest; of methods, CGPM and DEM that of hard spheres
+PACKINGS = ("run", *AS_PACKING, "diameter_over_depth", "packing", "command", "commit")
+HARD = {"CGPM": "CGHS", "DEM": "TDHS"}
+FIELDS = ("run", "method", "W", "differs", "depth", "reach", "velocity", "law", "from", "until", "diameter_over_depth", "deviation", "error", "doubt", "frequency", "frequency_low",
           "frequency_high", "surface", "surface_error", "surface_deviation", "surface_deviation_error", "surface_frequency", "command", "commit")  # fmt: skip
 
 
@@ -107,27 +111,72 @@ def command(record, until):
     return " ".join([*words, f"--until {until:g}"])
 
 
+def scene(run, folder):
+    """(numbers of the run's file `parameters`, columns that runs of flow and at rest share)."""
+    with open(os.path.join(folder, parameters.PARAMETERS), encoding="utf-8") as file:
+        values = parameters.values_of(file.read())
+    weight, record = float(run.meta["weight"]), run.record
+    across = float(values["diameter"]) * weight ** (1 / 3) / float(values["depth"])
+    return values, {"run": os.path.basename(os.path.abspath(folder)), "method": record["method"], "W": f"{weight:g}", "depth": f"{float(values['depth']):g}",
+                    "reach": f"{float(values['reach']):g}", "diameter_over_depth": f"{across:.4g}", "commit": run.meta["commit"][:12]}  # fmt: skip
+
+
+def at_rest(folder):
+    """The row of PACKINGS of the run in `folder`, None where gas flows."""
+    run = Run(folder)
+    values, row = scene(run, folder)
+    if float(values["inletVelocity"]) > AT_REST:
+        return None
+    height = run.series["bed_height"]
+    solids = float(values["particleCount"]) * math.pi / 6 * float(values["diameter"]) ** 3
+    packing = solids / (float(values["width"]) * float(values["depth"]) * height.values[-1])
+    return {**row, "packing": f"{packing:.4f}", "command": command(run.record, height.time[-1])}
+
+
 def measure(folder, since):
     """(row of FIELDS, spectrum [4, n], pressure (time, value)) of the run in `folder`, from `since` [s] on."""
     run = Run(folder)
     drop = run.series["pressure_drop"].between(since)
-    values = parameters.values_of(open(os.path.join(folder, parameters.PARAMETERS), encoding="utf-8").read())
-    width, depth, diameter = (float(values[key]) for key in ("width", "depth", "diameter"))
+    values, row = scene(run, folder)
     seen = [each for each in run.snapshots if each.time >= since - 1e-9]
-    heights = numpy.array([surface(each.positions, each.diameters, width) for each in seen])
+    heights = numpy.array([surface(each.positions, each.diameters, float(values["width"])) for each in seen])
     times = numpy.array([each.time for each in seen])
     fluctuation = drop.values - drop.values.mean()
     density = spectrum(drop.time, fluctuation)
     at, low, high = strongest(*density)
     root, error, doubt = deviation(drop.values)
     mean, (swing, swing_error, _) = mean_with_error(heights), deviation(heights)
-    record, weight = run.record, run.meta["weight"]
     until = round(float(drop.time[-1]), 3)
-    numbers = (since, until, diameter * weight ** (1 / 3) / depth, root, error)
-    row = [os.path.basename(os.path.abspath(folder)), record["method"], f"{weight:g}", " ".join(record["settings"]), *(f"{n:.4g}" for n in numbers), doubt,
-           *(f"{n:.3g}" for n in (at, low, high)), *(f"{n:.4g}" for n in (mean.value, mean.error, swing, swing_error)),
-           f"{strongest(*spectrum(times, heights - heights.mean()))[0]:.3g}", command(record, until), run.meta["commit"][:12]]  # fmt: skip
-    return dict(zip(FIELDS, row)), density, (drop.time, fluctuation)
+    numbers = {"from": since, "until": until, "velocity": float(values["inletVelocity"]), "deviation": root, "error": error, "frequency": at, "frequency_low": low,
+               "frequency_high": high, "surface": mean.value, "surface_error": mean.error, "surface_deviation": swing, "surface_deviation_error": swing_error,
+               "surface_frequency": strongest(*spectrum(times, heights - heights.mean()))[0]}  # fmt: skip
+    row.update({name: f"{number:.4g}" for name, number in numbers.items()}, law=values["dragLaw"], doubt=doubt, differs=" ".join(run.record["settings"]),
+               command=command(run.record, until))
+    return row, density, (drop.time, fluctuation)
+
+
+def minimum_fluidization(packing, law):
+    """U_mf [m/s] of this case's particles at a solid fraction: drag and pressure gradient carry their weight less buoyancy.
+
+    18 mu F U/(d^2 eps) = (rho_p - rho) g, from eq. 16 and beta = 18 mu eps (1 - eps) F/d^2 at the interstitial velocity U/eps.
+    """
+    with open(os.path.join(CASE, parameters.PARAMETERS), encoding="utf-8") as file:
+        value = parameters.values_of(file.read())
+    d, rho, mu, solid, g = (float(value[key]) for key in ("diameter", "gasDensity", "gasViscosity", "particleDensity", "gravity"))
+
+    def excess(velocity):
+        return 18 * mu * LAWS[law](1 - packing, rho * velocity * d / mu) * velocity / (d**2 * (1 - packing)) - (solid - rho) * g
+
+    return optimize.brentq(excess, 1e-6, 100)
+
+
+def fluidized(row, packings):
+    """(packing, U_mf [m/s]) of a stored run of flow, None where no run at rest is stored that is like it. MP-PIC has no packing of spheres."""
+    wanted = {**row, "method": HARD.get(row["method"], row["method"])}
+    for each in packings:
+        if all(each[key] == wanted[key] for key in AS_PACKING):
+            return float(each["packing"]), minimum_fluidization(float(each["packing"]), row["law"])
+    return None
 
 
 def stored(name):
@@ -175,23 +224,37 @@ def of_measurement():
     return row
 
 
-def table(rows):
+def table(rows, packings):
     """The README's table of `rows`."""
-    print(tables.markdown_head(("run", "differs", "from, to [s]", "diameter over depth", "pressure, deviation [Pa]", "strongest [Hz]", "surface [mm]",
-                                "its deviation [mm]", "its strongest [Hz]")))  # fmt: skip
+    print(tables.markdown_head(("run", "differs", "to [s]", "diameter over depth", "packing", "U - U_mf [m/s]", "pressure, deviation [Pa]", "strongest [Hz]",
+                                "surface [mm]", "its deviation [mm]")))  # fmt: skip
     for row in rows:
         pair = " +- ".join(f"{1e3 * float(row[key]):.1f}" for key in ("surface", "surface_error") if row[key])
         swing = f"{1e3 * float(row['surface_deviation']):.1f} +- {1e3 * float(row['surface_deviation_error']):.1f}"
-        span = f"{row['from']}, {row['until']}" if row["from"] else ""
+        packing = fluidized(row, packings)
         print(tables.markdown_row((
-            row["run"], row["differs"], span, f"{float(row['diameter_over_depth']):.2f}" if row["diameter_over_depth"] else "",
+            row["run"], row["differs"], row["until"], f"{float(row['diameter_over_depth']):.2f}" if row["diameter_over_depth"] else "",
+            *((f"{packing[0]:.3f}", f"{float(row['velocity']) - packing[1]:.2f}") if packing else ("", "")),
             f"{float(row['deviation']):.0f} +- {float(row['error']):.0f}{'?' if row['doubt'] else ''}",
-            f"{float(row['frequency']):.1f} ({float(row['frequency_low']):.1f} to {float(row['frequency_high']):.1f})", pair, swing,
-            f"{float(row['surface_frequency']):.1f}")))  # fmt: skip
+            f"{float(row['frequency']):.1f} ({float(row['frequency_low']):.1f} to {float(row['frequency_high']):.1f})", pair, swing)))  # fmt: skip
 
 
-def draw(rows, path):
-    """Pressure over time, its spectra with their limits, and its deviation over how many sphere diameters there are in the depth."""
+def table_of_packings(packings):
+    """The packings at rest, and the line through those of spheres between walls, packing = a (1 - b (D/depth + D/width))."""
+    print("\n" + tables.markdown_head(("run", "W", "diameter over depth", "packing", "U_mf by BVK [m/s]")))
+    for row in packings:
+        packing = float(row["packing"])
+        print(tables.markdown_row((row["run"], row["W"], f"{float(row['diameter_over_depth']):.2f}", f"{packing:.3f}", f"{minimum_fluidization(packing, 'BVK'):.2f}")))
+    between = [row for row in packings if row["reach"] == "0"]
+    if len(between) > 2:
+        ratio = numpy.array([float(row["diameter_over_depth"]) * (1 + float(row["depth"]) / WIDTH) for row in between])
+        slope, dense = numpy.polyfit(ratio, [float(row["packing"]) for row in between], 1)
+        off = numpy.polyval((slope, dense), ratio) - [float(row["packing"]) for row in between]
+        print(f"\npacking = {dense:.3f} (1 - {-slope / dense:.2f} (D/depth + D/width)) within {abs(off).max():.3f}")
+
+
+def draw(rows, packings, path):
+    """Pressure over time, its spectra with their limits, and its deviation over the gas that the bed has beyond minimum fluidization."""
     import matplotlib
 
     matplotlib.use("Agg")
@@ -222,13 +285,14 @@ def draw(rows, path):
     value, error = float(whole["deviation"]), float(whole["error"])
     trade.axhspan(value - error, value + error, color="0.9", zorder=0)
     trade.axhline(value, color="black", lw=1)
-    for group, (marker, label) in GROUPS.items():
-        chosen = [row for row in rows if GROUP.get(row["run"], row["method"] if not row["differs"] else None) == group]
-        if chosen:
-            x, y, e = (numpy.array([float(row[key]) for row in chosen]) for key in ("diameter_over_depth", "deviation", "error"))
-            trade.errorbar(x, y, e, fmt=marker, capsize=2, label=label, ms=5)
-    trade.set(xlabel="diameter of the tracked sphere over the depth", ylabel="deviation of the pressure [Pa]", ylim=(0, None))
-    trade.legend(frameon=False, fontsize=8)
+    for row in rows:
+        packing = fluidized(row, packings)
+        if packing:
+            at = float(row["velocity"]) - packing[1]
+            colour = f"C{MARKS.index(row['method'])}"
+            trade.errorbar(at, float(row["deviation"]), float(row["error"]), fmt="osD^"[MARKS.index(row["method"])], color=colour, capsize=2, ms=5)
+            trade.annotate(row["run"], (at, float(row["deviation"])), (5, -9), textcoords="offset points", fontsize=7, color=colour)
+    trade.set(xlabel="inlet velocity less U$_{mf}$ of the bed's own packing [m/s]", ylabel="deviation of the pressure [Pa]", ylim=(0, None), xlim=(0, None))
     figure.savefig(path, dpi=90)
     print(f"compare: drawn in {path}")
 
@@ -253,21 +317,27 @@ def arguments():
 
 def main():
     options = arguments()
-    found = []
+    found, rest = [], []
     for folder in options.runs:
         try:
-            found.append(measure(folder, options.since))
+            row = at_rest(folder)
+            found += [] if row else [measure(folder, options.since)]
+            rest += [row] if row else []
         except InputError as error:
             sys.exit(f"compare: {error}")
     if options.store:
         keep(found)
-    if found and not options.store:
-        return table([of_measurement(), *(row for row, _, _ in found)])
-    rows = stored("runs.csv")
-    if not rows:
-        sys.exit(f"compare: nothing is stored in {STUDY}; give folders of runs, and --store")
-    table([of_measurement(), *rows])
-    draw(rows, options.out)
+        store("packings.csv", PACKINGS, rest)
+    if options.runs and not options.store:
+        rows, packings = [row for row, _, _ in found], [*stored("packings.csv"), *rest]
+    else:
+        rows, packings = stored("runs.csv"), stored("packings.csv")
+        if not rows:
+            sys.exit(f"compare: nothing is stored in {STUDY}; give folders of runs, and --store")
+    table([of_measurement(), *rows], packings)
+    table_of_packings(packings)
+    if not options.runs or options.store:
+        draw(rows, packings, options.out)
 
 
 if __name__ == "__main__":
