@@ -17,7 +17,7 @@ from interphase.run import Run
 from interphase.run_state import ENDED, RUNNING, STOPPED
 
 LOOK = 0.3  # s between two looks at a run that goes
-OF_PARTICLES_START = {"DEM": "TDHS", "CGPM": "CGHS"}  # whose beds springs can start from, made at a fraction of the cost
+DONORS = {"DEM": "TDHS", "CGPM": "CGHS"}  # whose beds springs can start from, made at a fraction of their cost
 NEVER = float("inf")
 
 
