@@ -2,6 +2,7 @@
 """Short runs of a case that tell what a long one will cost: made in a scratch folder, ended by the processor time that they have taken."""
 
 import contextlib
+import dataclasses
 import io
 import os
 import time
@@ -17,7 +18,13 @@ from interphase.run import Run
 from interphase.run_state import ENDED, RUNNING, STOPPED
 
 LOOK = 0.3  # s between two looks at a run that goes
-DONORS = {"DEM": "TDHS", "CGPM": "CGHS"}  # whose beds springs can start from, made at a fraction of their cost
+WITH_CONTACTS = ("DEM", "CGPM", "TDHS", "CGHS")  # the costs of their particles go up alike as a bed loosens
+SCOUTS = ("CGHS", "CGPM")  # the cheaper first
+# Of a scout. The wider parcels are, the less their cost tells of particles' (sscp1: by W = 64 a fifth too little), so no larger than need be.
+SCOUT_WEIGHTS = (8.0, 27.0, 64.0)
+MOST_PARCELS = 50000
+FEWEST_PARCELS = 1000  # of a scout: fewer are no bed
+WIDEST = 0.25  # of the vessel's smallest extent, of a parcel
 NEVER = float("inf")
 
 
@@ -41,15 +48,12 @@ class Calibration:
         return self.output.bytes(until, float(self.run.meta["gas_step"]))
 
 
-def short_run(case, folder, seconds, until, ranks, start=None, snapshot=None):
+def short_run(case, folder, seconds, until, ranks):
     """The `Run` of the Case in `folder` until it has taken `seconds` of its processors, but cost_model.FEWEST gas steps at least, or is at `until`
-    [s]. `start`: "RUN@TIME" whose bed it takes; `snapshot` [s]: between two, others than the case's. InputError, StepFailed as of Case.run; InputError
-    where it does not run."""
+    [s]. InputError, StepFailed as of Case.run; InputError where it does not run."""
     entries = {"records/interval": gas_step(case) / 2, "checkpoint/wallInterval": 0}  # a row for each gas step
-    if snapshot:
-        entries["records/snapshotInterval"] = snapshot
     with contextlib.redirect_stderr(io.StringIO()) as said:  # that it was stopped is no news
-        run = case.set(entries).run(folder, ranks=ranks, until=until, start=start, overwrite=True, wait=False)
+        run = case.set(entries).run(folder, ranks=ranks, until=until, overwrite=True, wait=False)
         while run.state == RUNNING:
             time.sleep(LOOK)
             steps, spent = progress(run)
@@ -128,34 +132,27 @@ def field_bytes(run):
     return folder_size(os.path.join(run.path, last[1])) if last else 0.0
 
 
-def paces_of(run, starts_at=0.0):
-    """{phase: Pace} of a run, its start-up of the program apart. A run that took another's bed counts from `starts_at` [s] on, without its first
-    steps: there lists are built and memories of contacts begin."""
-    table = run.processor_time
-    skip = 0 if starts_at == 0 else 2
-    found = {}
-    for phase in PHASES:
-        if phase != "output":
-            rows = table[phase]
-            found[phase] = cost_model.pace(rows.time[skip:], rows.values[skip:], starts_at=starts_at)
-    return found
+def of_run(run, case):
+    """The `Calibration` by a short run. What the first step costs beside the others, as lists are made, counts as set-up."""
+    table = {phase: run.processor_time[phase] for phase in (*PHASES, "setup")}
+    paces = {phase: cost_model.pace(table[phase].time[1:], table[phase].values[1:]) for phase in PHASES if phase != "output"}
+    first = sum(float(table[phase].values[1] - table[phase].values[0]) for phase in paces)
+    reached = float(table["gas"].time[-1])
+    return Calibration(run, paces, output_of(run, case), float(table["setup"].values[0]) + first, reached, f"its first {reached:.3g} s")
 
 
-def setup_of(run):
-    """Processor seconds before the first step."""
-    return float(run.processor_time["setup"].values[0])
+def like(own, other, name):
+    """The `Calibration` `own` with the particles' cost beyond what was measured as that of `other`, of which `name` tells: cost_model.shaped. The gas's and the
+    coupling's do not depend on the state of the bed: within 5 % over the start-up of sscp1."""
+    paces = {**own.paces, "solids": cost_model.shaped(own.paces["solids"], other.paces["solids"])}
+    return dataclasses.replace(own, paces=paces, whence=f"{own.whence}, then as {name} to {other.reached:.3g} s")
 
 
-def of_its_own(run, case):
-    """The `Calibration` by a run from the case's own start."""
-    reached = float(run.processor_time["gas"].time[-1])
-    return Calibration(run, paces_of(run), output_of(run, case), setup_of(run), reached, f"its first {reached:.3g} s")
+def scout_weights(scene):
+    """The weights that a scout's parcels may have in a PlannedScene, the best first."""
+    def fits(each):
+        parcel = scene.sauter * each ** (1 / 3)
+        return scene.real / each >= FEWEST_PARCELS and (scene.depth is None or parcel <= WIDEST * scene.depth)
 
-
-def from_bed(early, late_run, donor, time_of_bed):
-    """The `Calibration` `early` with what `late_run` shows, which starts from the bed that `donor`, a method, had at `time_of_bed` [s]."""
-    late = paces_of(late_run, time_of_bed)
-    paces = {phase: cost_model.joined(early.paces[phase], late[phase]) for phase in early.paces}
-    spent = float(late_run.processor_time["gas"].time[-1])
-    return Calibration(early.run, paces, early.output, early.setup, time_of_bed + spent,
-                       f"{early.whence}, and {spent:.3g} s from {donor}'s bed of {time_of_bed:.3g} s")  # fmt: skip
+    fit = [each for each in SCOUT_WEIGHTS if fits(each)]
+    return sorted(fit, key=lambda each: (scene.real / each > MOST_PARCELS, each if scene.real / each <= MOST_PARCELS else -each))

@@ -2,7 +2,7 @@
 """What a case is and what each method would cost and get wrong, before anything long runs.
 
 Short runs of the case in a scratch folder, on as many ranks as the run itself would have, tell particles, steps, memory and what each phase costs in seconds
-of a processor. Beds that springs would take long to loosen are taken from hard spheres. What methods get wrong comes from measured scenes that are like this one.
+of a processor, at the start; how that goes on as the bed loosens, cheaper runs of large parcels tell. What methods get wrong comes from measured scenes that are like this one.
 """
 
 import contextlib
@@ -39,6 +39,8 @@ exit code: 0; 1 where no method could be measured, or --check found one off by m
 
 ALL = ("MPPIC", "CGHS", "CGPM", "TDHS", "DEM")  # the cheap ones first
 USUAL_WEIGHT = 8.0
+SCOUTING = 3.0  # times what the others may take
+ENOUGH = 0.9  # of the run to plan, measured itself
 OFF = 0.2  # of the cost: what --check calls wrong
 
 
@@ -86,27 +88,45 @@ def say(text=""):
 def measured(case, wanted, given, until, scratch):
     """([(method, weight, its Case, Calibration)], [words on why not]) of what can run."""
     calibration = module("plan_calibration")
-    done, holes, beds = [], [], {}
-    for method, weight in wanted:
-        name = f"{method} W = {weight:g}"
+    done, holes = [], []
+
+    def measure(method, weight, seconds):
         if sys.stderr.isatty():
-            print(f"measuring {name} ...", file=sys.stderr, flush=True)
+            print(f"measuring {method} W = {weight:g} ...", file=sys.stderr, flush=True)
+        own = changed(case, method, weight)
+        run = calibration.short_run(own, os.path.join(scratch, f"{method}-{weight:g}"), seconds, until, given.ranks)
+        return own, calibration.of_run(run, own)
+
+    for method, weight in wanted:
         try:
-            own = changed(case, method, weight)
-            springs = method in calibration.DONORS
-            seconds = given.calibrate * (1 if springs else 2)
-            run = calibration.short_run(own, os.path.join(scratch, f"{method}-{weight:g}"), seconds, until, given.ranks)
-            found = calibration.of_its_own(run, own)
-            donor = beds.get((calibration.DONORS[method], weight)) if springs else None
-            if donor is not None and found.reached < min(until, donor.reached):
-                with contextlib.suppress(InputError):  # scripts that make their particles themselves start from no other bed
-                    late = calibration.short_run(own, run.path + "-late", seconds, until, given.ranks, start=donor.run.path)
-                    found = calibration.from_bed(found, late, donor.run.meta["method"], donor.reached)
-            beds[method, weight] = found
-            done.append((method, weight, own, found))
+            done.append((method, weight, *measure(method, weight, given.calibrate)))
         except (InputError, launch.StepFailed) as error:
-            holes.append(f"{name}: {' '.join(str(error).split())}")
-    return done, holes
+            holes.append(f"{method} W = {weight:g}: {' '.join(str(error).split())}")
+    return with_scouts(done, calibration, given, until, measure) if done else done, holes
+
+
+def with_scouts(done, calibration, given, until, measure):
+    """`done`, its costs of particles beyond what was measured as those of the method go that came furthest: of large parcels, which are cheap, a scout."""
+    scout = scout_of([each for each in done if each[0] in calibration.WITH_CONTACTS], calibration, given, until, measure)
+    if scout is None:
+        return done
+    name, furthest = scout
+    return [(method, weight, own, calibration.like(each, furthest, name)
+             if method in calibration.WITH_CONTACTS and furthest.reached > each.reached else each) for method, weight, own, each in done]  # fmt: skip
+
+
+def scout_of(members, calibration, given, until, measure):
+    """(name, Calibration) of what went furthest among `members` and a scout; None where there are none, or each was measured to its end."""
+    if not members or all(each[3].reached >= ENOUGH * until for each in members):
+        return None
+    best = max(members, key=lambda each: each[3].reached)
+    named = f"{best[0]} W = {best[1]:g}", best[3]
+    for method in calibration.SCOUTS:
+        for weight in calibration.scout_weights(module("plan_scene").of_run(best[3].run))[:1]:
+            with contextlib.suppress(InputError, launch.StepFailed):  # not every case can have parcels, or of that weight
+                scout = measure(method, weight, SCOUTING * given.calibrate)[1]
+                return (f"{method} W = {weight:g}", scout) if scout.reached > best[3].reached else named
+    return named
 
 
 def planned_of(done, scene, until, ranks):
@@ -125,7 +145,7 @@ def check(done, given, scratch):
     for method, weight, own, each in done:
         until = 4 * float(each.run.processor_time["gas"].time[-1])
         run = calibration.short_run(own, os.path.join(scratch, "check"), float("inf"), until, given.ranks)
-        reached = calibration.of_its_own(run, own)
+        reached = calibration.of_run(run, own)
         end = reached.reached
         spent = {phase: float(run.processor_time[phase].values[-1] - run.processor_time[phase].values[0]) for phase in model.PHASES}
         foretold = each.cost(end)
