@@ -16,6 +16,7 @@
 #include "run/observation.hpp"
 #include "run/particle_engine.hpp"
 #include "run/population.hpp"
+#include "run/processor_time.hpp"
 #include "run/record_schedule.hpp"
 #include "run/spent_time.hpp"
 #include "step/coupling_step.hpp"
@@ -36,6 +37,7 @@ public:
         CouplingStep* coupling;
         PopulationWatch* without_gas;
         const Population& at_start;
+        const ProcessorTime& processor;
     };
 
     /// Replaces earlier records, or goes on behind those up to `goes_on_from` [s].
@@ -78,6 +80,7 @@ public:
 
 private:
     void describe_population();
+    void add_processor_time_row();
     Problem full_disk() const;
     void refuse_full_disk() const;
 

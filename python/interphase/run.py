@@ -58,6 +58,12 @@ class Run:
         return stored.attributes(self._file("results.h5"), "timing")
 
     @property
+    def processor_time(self):
+        """{phase: Series} of /processor_time: the seconds that the processors of all ranks have spent on it so far, a row with each of /series."""
+        series = module("series")
+        return series.Table(self._file("results.h5"), "processor_time")
+
+    @property
     def series(self):
         """{name: Series} of /series of results.h5 as far as they are written: pressure_drop, bed_height, kinetic_energy, ..."""
         series = module("series")

@@ -11,6 +11,7 @@ Commands:
              parcels of MP-PIC in sscp1, 10^4 to 10^6 of them in the same vessel and mesh (MPPIC).
   phases     A coupled run: the share of each phase in its wall-clock time, what the coupling itself costs
              (mapping + exchange + output), and the whole against solids + gas alone.
+  cost-model The cost of the particles against S, W and N beside the paper's model (eqs. 24 to 28), from beds that bubble; tools/COST.md.
   records    What it costs that nothing is lost, on sscp1: rows, one a gas step; a checkpoint; as shares of the time.
 
 Machines are noisy and often shared, so single seconds mean little: read the ratios, and repeat.
@@ -33,7 +34,7 @@ import statistics
 import sys
 import tempfile
 
-from interphase import Case, InputError, Run, StepFailed, launch, parameters, tables
+from interphase import Case, InputError, Run, StepFailed, cost_study, launch, parameters, tables
 from interphase.commands import bed
 from interphase.tree import CASES
 
@@ -239,6 +240,13 @@ def scaling_of_mp_pic(given):
             print(f"{parcels:9d} {1e9 * timing['solids'] / steps:10.1f} {1e9 * coupling / steps:22.1f}", flush=True)
 
 
+def cost_of_the_model(given):
+    if not given.show:
+        with tempfile.TemporaryDirectory(prefix="interphase-bench-") as scratch:
+            cost_study.study(given.rounds, given.start, scratch, given.table, lambda text: print(text, flush=True))
+    print("\n".join(cost_study.report(given.table)))
+
+
 def main():
     parser = argparse.ArgumentParser(prog="tools/bench", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(dest="command", required=True)
@@ -268,9 +276,15 @@ def main():
     for one_of in (four, five):
         one_of.add_argument("--settle", type=int, default=1000, help="steps before measuring (default 1000)")
     four.add_argument("--steps", type=int, default=200)
+    seven = commands.add_parser("cost-model", help="cost of the particles against S, W and N, beside the paper's model")
+    seven.add_argument("--rounds", type=int, default=3)
+    seven.add_argument("--start", type=float, default=0.4, help="when the beds are taken [s] (default 0.4)")
+    seven.add_argument("--table", metavar="FILE", default="cost-model.csv", help="what is measured (default cost-model.csv)")
+    seven.add_argument("--show", action="store_true", help="measure nothing: show the table that is there")
     given = parser.parse_args()
     try:
-        {"overhead": overhead, "phases": phases, "methods": methods, "cost": cost, "scaling": scaling, "records": records}[given.command](given)
+        {"overhead": overhead, "phases": phases, "methods": methods, "cost": cost, "scaling": scaling, "records": records,
+         "cost-model": cost_of_the_model}[given.command](given)
     except (InputError, StepFailed) as error:
         sys.exit(f"bench: {error}")
 
