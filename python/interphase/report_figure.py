@@ -125,11 +125,13 @@ def _voidage(axes, reports):
 
 
 def _pressure(axes, reports):
-    """Spectra where all records are long enough, else the series."""
+    """Spectra with their 95 % bands where all records are long enough, else the series."""
     some = [(at, report) for at, report in enumerate(reports) if report.pressure is not None]
     if all(report.spectrum is not None for _, report in some):
         for at, report in some:
-            axes.semilogy(report.spectrum[0], report.spectrum[1], **style(at))
+            found = report.spectrum
+            axes.semilogy(found.frequency, found.power, **style(at))
+            axes.fill_between(found.frequency, found.low, found.high, color=style(at)["color"], alpha=0.15, linewidth=0)
         axes.set(xlabel="frequency [Hz]", ylabel="pressure drop, power [Pa²/Hz]")
         return
     for at, report in some:

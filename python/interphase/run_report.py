@@ -10,9 +10,8 @@ from dataclasses import dataclass, field
 from typing import Optional
 
 import numpy
-from scipy import signal
 
-from interphase import bed_statistics, time_statistics as statistics
+from interphase import bed_statistics, spectrum, time_statistics as statistics
 from interphase.input_error import InputError
 from interphase.run import NO_PRESSURE_DROP
 from interphase.statistical_comparison import uneven
@@ -20,7 +19,6 @@ from interphase.time_statistics import Mean
 
 DEPTHS = ("front_slice", "full_depth")
 COMPONENTS = ("horizontal", "vertical")
-SPECTRUM_SAMPLES = 128
 DATA = ("position", "velocity", "diameter")
 WEIGHT = "weight"  # real particles in each sphere; recorded where it differs between them
 
@@ -77,7 +75,7 @@ class RunReport:
     rows: tuple = (0, math.nan, math.nan)
     needed: Optional[float] = None
     pressure: Optional[tuple] = None
-    spectrum: Optional[tuple] = None
+    spectrum: Optional[spectrum.Spectrum] = None
     notes: list = field(default_factory=list)
 
 
@@ -285,25 +283,17 @@ def _series(report, run, chosen):
         report.series.append(Quantity(name.replace("_", " "), unit, statistics.mean_with_error(values[name])))
         if name == "pressure_drop":
             report.pressure = times, values[name]
-            report.series.append(Quantity("pressure drop, deviation", "Pa", _deviation(values[name])))
+            report.series.append(Quantity("pressure drop, deviation", "Pa", statistics.deviation_with_error(values[name])))
             if not spread:
-                report.spectrum = spectrum(times, values[name])
+                report.spectrum = spectrum.spectrum(times, values[name])
+                _strongest(report, times, values[name])
 
 
-def _deviation(values):
-    """`Mean` of the standard deviation of a series, its error that of the mean square to first order."""
-    square = statistics.mean_with_error((values - values.mean()) ** 2)
-    root = math.sqrt(square.value)
-    return dataclasses.replace(square, value=root, error=square.error / (2 * root) if root else 0.0)
-
-
-def spectrum(times, values):
-    """(frequency [Hz], power density [unit^2/Hz]), one-sided, by Welch's averaged segments; None for short series.
-
-    Segments are a quarter of the record long (Hann's window, half overlapping): seven of them are averaged.
-    """
-    if len(values) < SPECTRUM_SAMPLES:
-        return None
-    interval = (times[-1] - times[0]) / (len(times) - 1)
-    frequency, power = signal.welch(values, 1 / interval, nperseg=len(values) // 4)
-    return frequency[1:], power[1:]
+def _strongest(report, times, values):
+    found = spectrum.strongest_frequency(times, values)
+    if found.reason:
+        report.notes.append(f"strongest frequency of the pressure drop: {found.reason}")
+        return
+    whole = statistics.mean_with_error(values)
+    mean = dataclasses.replace(whole, value=found.value, error=found.error, freedom=float(spectrum.COPIES - 1))
+    report.series.append(Quantity("pressure drop, strongest frequency", "Hz", mean))
