@@ -4,7 +4,7 @@
 import os
 import sys
 
-from interphase import report_figure, report_file, report_keys, report_table, reporting
+from interphase import report_figure, report_file, report_keys, report_output, report_table, reporting, run_sheet
 from interphase.command_line import Parser, check_order, count, share, time
 from interphase.input_error import InputError
 
@@ -50,7 +50,7 @@ examples:
 
 def arguments(given):
     parser = Parser("tools/report", "RUN [RUN ...]", description=__doc__, epilog=DETAILS)
-    parser.add_argument("runs", metavar="RUN", nargs="+", help="a run's folder, with results.h5 and particles.h5")
+    parser.add_argument("runs", metavar="RUN", nargs="+", help="a run's folder, with results.h5 and particles.h5; or a folder that --store has written")
     parser.add_argument(
         "--from", metavar="T", dest="start", type=time, help="leave out what is before T [s] (default: the case's, else found)"
     )
@@ -61,6 +61,9 @@ def arguments(given):
     parser.add_argument(
         "--out", metavar="FILE.png", help="the figure (default: RUN/report.png of the first run; with --no-write none)"
     )
+    parser.add_argument("--html", metavar="FILE.html", help="a page of all of it, pictures inside; the first RUN is what the others are held against")
+    parser.add_argument("--store", metavar="DIR", help="keep what the page is made of as a text file for each run, some 50 kB: `tools/report DIR` needs no run")
+    parser.add_argument("--reference", metavar="NAME", help="the run that the others are held against (default: the first; of a stored folder, DEM or TDHS)")
     parser.add_argument("--depth", choices=("front", "full"), help="the windows to show (default: see below)")
     parser.add_argument("--every", metavar="N", type=count, default=1, help="read each N-th snapshot only (default: 1)")
     parser.add_argument("--scene", metavar="FILE", help="what to measure, instead of the runs' system/reportDict; same keys")
@@ -73,6 +76,10 @@ def arguments(given):
     )
     options = parser.parse_args(given)
     check_order(options.start, options.end)
+    if options.html:
+        report_output.check_name(options.html, "--html")
+    if options.store and os.path.exists(options.store) and not os.path.isdir(options.store):
+        raise InputError(f"--store {options.store}: is a file; give a folder")
     if options.out and not options.out.lower().endswith((".png", ".pdf", ".svg")):
         raise InputError(f"--out {options.out}: give a name that ends with .png (or .pdf, .svg)")
     if options.out and not os.path.isdir(os.path.dirname(os.path.abspath(options.out))):
@@ -103,35 +110,60 @@ def progress(name, done, of, time):
         print(f"\r{name}: snapshot {done} of {of}, t = {time:.4g} s {end}", end="", file=sys.stderr, flush=True)
 
 
-def report(options):
+def measured(options):
+    """([`Sheet`], {name: folder}, notes) of runs; their files get the numbers unless --no-write."""
     runs = [reporting.opened(path) for path in options.runs]
     if not options.no_write:
         for run in runs:
             report_file.check_writable(run)
     found = reporting.reported(runs, options.start, options.end, options.scene, options.every, progress)
-    names, scene, reports = found.names, found.scene, found.reports
+    notes = found.notes + [f"{name}: {start}" for name, run in zip(found.names, runs) if (start := started_from(run))]
+    if not options.no_write:
+        for run, each in zip(runs, found.reports):
+            report_file.write(run, found.scene, each)
+            print(f"numbers    {run.results} (/profiles, /histograms)")
+    return run_sheet.of_reported(runs, found), {name: run.path for name, run in zip(found.names, runs)}, notes
+
+
+def kept(options):
+    """The same of folders that --store has written."""
+    others = [path for path in options.runs if not report_output.is_stored(path)]
+    if others:
+        raise InputError(f"{others[0]} is no folder that --store has written, and others are: give runs, or stored folders, not both")
+    for option, given in (("--from", options.start is not None), ("--until", options.end is not None), ("--scene", options.scene), ("--store", options.store)):
+        if given:
+            raise InputError(f"{option}: what is stored has been measured already; give the runs themselves")
+    return report_output.stored(options.runs), {}, []
+
+
+def report(options):
+    of_stored = any(map(report_output.is_stored, options.runs))
+    sheets, folders, notes = kept(options) if of_stored else measured(options)
+    sheets = report_output.with_reference(sheets, options.reference)
+    names, reports, scene = [sheet.name for sheet in sheets], [sheet.report for sheet in sheets], sheets[0].scene
     if options.depth:
         depth = "front_slice" if options.depth == "front" else "full_depth"
     else:
-        depth = "front_slice" if all(run.recorded("weight") == 1 for run in runs) else "full_depth"
+        depth = report_output.depth_of(sheets)
 
-    print(f"from {found.range.start:g} to {found.range.end:g} s ({found.range.how})" + (f"; {described(scene.windows, depth)}" if scene.windows else ""))
+    first = sheets[0]
+    print(f"from {first.start:g} to {first.end:g} s ({first.how})" + (f"; {described(scene.windows, depth)}" if scene.windows else ""))
     print("\n".join(report_table.text(names, reports, depth, options.confidence)))
-    for note in found.notes:
+    for note in notes:
         print(f"note: {note}")
-    for name, run, each in zip(names, runs, reports):
-        if start := started_from(run):
-            print(f"note: {name}: {start}")
+    for name, each in zip(names, reports):
         for note in each.notes:
             print(f"note: {name}: {note}")
-    if not options.no_write:
-        for run, each in zip(runs, reports):
-            report_file.write(run, scene, each)
-            print(f"numbers    {run.results} (/profiles, /histograms)")
-    figure = options.out or (None if options.no_write else os.path.join(runs[0].path, "report.png"))
+    figure = options.out or (None if options.no_write or of_stored else os.path.join(folders[names[0]], "report.png"))
     if figure:
         report_figure.draw(figure, names, reports, depth, scene)
         print(f"figure     {figure}")
+    if options.store:
+        for path in run_sheet.store(options.store, sheets):
+            print(f"stored     {path}")
+    if options.html:
+        report_output.write(options.html, report_output.title_of(sheets), sheets, depth, notes, folders, options.confidence)
+        print(f"page       {options.html}")
 
 
 def main(given):

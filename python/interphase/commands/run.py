@@ -303,8 +303,8 @@ def main():
         shutil.rmtree(folder)
     os.makedirs(folder, exist_ok=True)
     command = launch.command(binary, folder, given.ranks)
-    record = {"case": name, "source": case_path, "process": run_state.this_process(), "method": method, "weight": weight, "ranks": given.ranks, "settings": given.settings,
-              "until": given.until, "command": command, "environment": variables}
+    record = {"case": name, "source": case_path, "process": run_state.this_process(), "method": method, "weight": weight, "ranks": given.ranks,
+              "settings": given.settings, "until": given.until, "command": command, "environment": variables}
     run_state.write(folder, record)
     case_folder.copy(case_path, folder)
     case.write_into(folder)
@@ -326,10 +326,12 @@ def run(given, name, folder, gas, command, record, log, variables, environment, 
     say(f"running\n  cd {folder}\n  {launch.as_typed(command, variables)}")
     if given.wall_limit is not None:
         command = [*command, "-wallLimit", given.wall_limit]
-    started = time.time()
+    started, before = time.time(), launch.cpu_of_children()
     passed_on = []
     code = launch.run(command, log, environment, folder, given.quiet, passed_on)
-    run_state.write(folder, {**record, "exit_code": code, "wall_time": round(time.time() - started, 3)})
+    spent = record.get("cpu_time", None if given.resume else 0.0)  # of all parts; unknown where an earlier one was killed before it told
+    spent = None if spent is None else round(spent + launch.cpu_of_children() - before, 3)
+    run_state.write(folder, {**record, "exit_code": code, "wall_time": round(time.time() - started, 3), "cpu_time": spent})
     go_on = ending.way_to_go_on(given.case, folder)
     stopped = ending.stopped_by(code, passed_on)
     if stopped:
