@@ -64,6 +64,13 @@ RunRecords::RunRecords(const Scene& scene, std::optional<double> goes_on_from)
 {
     if (scene.settings.snapshot_interval > 0)
         own_snapshots_.emplace(scene.gas_case.time(), scene.settings.snapshot_interval);
+    const StatisticsSettings& statistics = scene.settings.statistics;
+    if (statistics.tap_interval > 0 && scene.gas) taps_.emplace(scene.gas_case.time(), statistics.tap_interval);
+    if (statistics.interval == 0) return;
+    samples_.emplace(scene.gas_case.time(), statistics.interval);
+    const Box bounds = scene.gas ? scene.gas->bounds() : empty_box();
+    statistics_.emplace(scene.comm, statistics, scene.solids, scene.gas ? &scene.gas->mesh() : nullptr,
+                        scene.gas ? &bounds : nullptr);
 }
 
 void RunRecords::describe(double solid_step, double gas_step)
@@ -83,6 +90,13 @@ void RunRecords::describe(double solid_step, double gas_step)
                       name_and_number(version) + ", " + solids.version() + ", " + gas_case.engine());
     if (comm.is_master()) record_provenance(results_, version, case_inputs(".", settings.script, settings.variables));
     if (gas) results_.describe_box("/meta", "domain", gas->bounds());
+    if (statistics_) statistics_->describe(results_);
+    if (taps_) {
+        Scalars places;
+        for (const Vector& tap : settings.pressure_taps)
+            places.insert(places.end(), tap.data(), tap.data() + 3);
+        results_.describe("/taps", "places", places);
+    }
     results_.add_row("/parts", {{"time", "s", gas_case.time()}, {"ranks", "1", static_cast<double>(comm.size())}});
 }
 
@@ -138,6 +152,7 @@ void RunRecords::record(const Moment& moment)
         if (row_due) results_.add_row("/series", last_seen_.row(now));
     }
     rows_.pass(now, moment.gas_step);
+    take_statistics(moment);
 
     const bool write_due = gas_case.write_due() || moment.at_end;
     const bool snapshot_due = own_snapshots_ ? own_snapshots_->due(now, moment.gas_step) : write_due;
@@ -155,6 +170,32 @@ void RunRecords::record(const Moment& moment)
         results_.flush();
     }
     refuse_full_disk();
+}
+
+void RunRecords::take_statistics(const Moment& moment)
+{
+    const double now = scene_.gas_case.time();
+    if (taps_) {
+        if (taps_->due(now, moment.gas_step)) add_tap_row();
+        taps_->pass(now, moment.gas_step);
+    }
+    if (!samples_) return;
+    if (samples_->due(now, moment.gas_step)) {
+        if (moment.at_start && scene_.coupling) scene_.coupling->look_at_start();
+        statistics_->sample(now, scene_.coupling ? scene_.coupling->voidage() : Scalars{}, results_);
+    }
+    samples_->pass(now, moment.gas_step);
+}
+
+void RunRecords::add_tap_row()
+{
+    Results::Row row;
+    row.add("time", "s", scene_.gas_case.time());
+    Scalars pressures;
+    for (const Vector& tap : scene_.settings.pressure_taps)
+        pressures.push_back(scene_.gas->pressure_at(tap));
+    row.add("pressure", "Pa", pressures);
+    results_.add_row("/taps", row);
 }
 
 void RunRecords::flush()
@@ -194,6 +235,7 @@ void RunRecords::describe_end(const Ending& ending)
     for (const Count& count : ending.warnings)
         results_.describe("/meta", count.kind->key, static_cast<double>(count.number));
     describe_population();
+    if (statistics_) results_.describe("/statistics", "wall_time", scene_.comm.max(statistics_->seconds()));
     results_.describe("/meta", "wall_time", ending.spent.wall);
     flush();
 }
@@ -202,6 +244,12 @@ void RunRecords::keep(Archive& archive)
 {
     archive.keep("rows", rows_);
     if (own_snapshots_) archive.keep("snapshots", *own_snapshots_);
+    if (taps_) archive.within("taps", [&] { taps_->keep(archive); });
+    if (!samples_) return;
+    archive.within("samples", [&] { samples_->keep(archive); });
+    archive.within("statistics", [&] {
+        if (!archive.loads() || archive.has("seconds")) statistics_->keep(archive);
+    });
 }
 
 }  // namespace interphase
