@@ -75,6 +75,13 @@ RunRecords::RunRecords(const Scene& scene, std::optional<double> goes_on_from)
 {
     if (scene.settings.snapshot_interval > 0)
         own_snapshots_.emplace(scene.gas_case.time(), scene.settings.snapshot_interval);
+    const StatisticsSettings& statistics = scene.settings.statistics;
+    if (statistics.tap_interval > 0 && scene.gas) taps_.emplace(scene.gas_case.time(), statistics.tap_interval);
+    if (statistics.interval == 0) return;
+    samples_.emplace(scene.gas_case.time(), statistics.interval);
+    const Box bounds = scene.gas ? scene.gas->bounds() : empty_box();
+    statistics_.emplace(scene.comm, statistics, scene.solids, scene.gas ? &scene.gas->mesh() : nullptr,
+                        scene.gas ? &bounds : nullptr);
 }
 
 void RunRecords::describe(double solid_step, double gas_step)
@@ -102,6 +109,13 @@ void RunRecords::describe(double solid_step, double gas_step)
         const GasProperty density = gas->density(), viscosity = gas->viscosity();
         if (!density.varies()) results_.describe("/meta", "gas_density", density.uniform);
         if (!viscosity.varies()) results_.describe("/meta", "gas_viscosity", viscosity.uniform);
+    }
+    if (statistics_) statistics_->describe(results_);
+    if (taps_) {
+        Scalars places;
+        for (const Vector& tap : settings.pressure_taps)
+            places.insert(places.end(), tap.data(), tap.data() + 3);
+        results_.describe("/taps", "places", places);
     }
     results_.add_row("/parts", {{"time", "s", gas_case.time()}, {"ranks", "1", static_cast<double>(comm.size())}});
 }
@@ -161,6 +175,7 @@ void RunRecords::record(const Moment& moment)
         }
     }
     rows_.pass(now, moment.gas_step);
+    take_statistics(moment);
 
     const bool write_due = gas_case.write_due() || moment.at_end;
     const bool snapshot_due = own_snapshots_ ? own_snapshots_->due(now, moment.gas_step) : write_due;
@@ -187,6 +202,32 @@ void RunRecords::add_processor_time_row()
     for (std::size_t phase = 0; phase < phase_names.size(); ++phase)
         row.push_back({phase_names[phase].data(), "s", seconds[phase]});
     results_.add_row("/processor_time", row);
+}
+
+void RunRecords::take_statistics(const Moment& moment)
+{
+    const double now = scene_.gas_case.time();
+    if (taps_) {
+        if (taps_->due(now, moment.gas_step)) add_tap_row();
+        taps_->pass(now, moment.gas_step);
+    }
+    if (!samples_) return;
+    if (samples_->due(now, moment.gas_step)) {
+        if (moment.at_start && scene_.coupling) scene_.coupling->look_at_start();
+        statistics_->sample(now, scene_.coupling ? scene_.coupling->voidage() : Scalars{}, results_);
+    }
+    samples_->pass(now, moment.gas_step);
+}
+
+void RunRecords::add_tap_row()
+{
+    Results::Row row;
+    row.add("time", "s", scene_.gas_case.time());
+    Scalars pressures;
+    for (const Vector& tap : scene_.settings.pressure_taps)
+        pressures.push_back(scene_.gas->pressure_at(tap));
+    row.add("pressure", "Pa", pressures);
+    results_.add_row("/taps", row);
 }
 
 void RunRecords::flush()
@@ -227,6 +268,7 @@ void RunRecords::describe_end(const Ending& ending)
         results_.describe("/meta", count.kind->key, static_cast<double>(count.number));
     describe_population();
     results_.describe("/meta", "peak_memory", scene_.comm.sum(peak_memory()));
+    if (statistics_) results_.describe("/statistics", "wall_time", scene_.comm.max(statistics_->seconds()));
     results_.describe("/meta", "wall_time", ending.spent.wall);
     flush();
 }
@@ -235,6 +277,12 @@ void RunRecords::keep(Archive& archive)
 {
     archive.keep("rows", rows_);
     if (own_snapshots_) archive.keep("snapshots", *own_snapshots_);
+    if (taps_) archive.within("taps", [&] { taps_->keep(archive); });
+    if (!samples_) return;
+    archive.within("samples", [&] { samples_->keep(archive); });
+    archive.within("statistics", [&] {
+        if (!archive.loads() || archive.has("seconds")) statistics_->keep(archive);
+    });
 }
 
 }  // namespace interphase

@@ -19,6 +19,7 @@
 #include "run/processor_time.hpp"
 #include "run/record_schedule.hpp"
 #include "run/spent_time.hpp"
+#include "statistics/statistics.hpp"
 #include "step/coupling_step.hpp"
 
 namespace interphase {
@@ -81,6 +82,8 @@ public:
 private:
     void describe_population();
     void add_processor_time_row();
+    void take_statistics(const Moment& moment);
+    void add_tap_row();
     Problem full_disk() const;
     void refuse_full_disk() const;
 
@@ -89,6 +92,8 @@ private:
     ParticleSnapshots snapshots_;
     RecordSchedule rows_;
     std::optional<RecordSchedule> own_snapshots_;  ///< where snapshots do not follow the fields
+    std::optional<Statistics> statistics_;         ///< where they are asked for, as are the next two
+    std::optional<RecordSchedule> samples_, taps_;
     Observation last_seen_;
 };
 

@@ -21,4 +21,9 @@ Range between(double low, double high)
             [low, high](double value) { return value > low && value < high; }};
 }
 
+Range from_to(double low, double high)
+{
+    return {text(low) + " to " + text(high), [low, high](double value) { return value >= low && value <= high; }};
+}
+
 }  // namespace interphase

@@ -129,7 +129,7 @@ def _voidage(axes, reports):
         dense = share[report.voidage.edges[1:] < 0.95]
         top = max(top, dense.max(initial=0.0))
     axes.set_ylim(0, 1.25 * top or None)
-    axes.set(xlabel="voidage", ylabel="cells [%]")
+    axes.set(xlabel="mapped voidage" if any(report.of_rows for report in reports) else "voidage", ylabel="cells [%]")
     axes.set_title("the empty vessel's peak at 1 is cut off", fontsize=7, color="0.45")
 
 

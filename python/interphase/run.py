@@ -70,6 +70,19 @@ class Run:
         return series.Table(self._file("results.h5"), "series")
 
     @property
+    def samples(self):
+        """{name: Series} of /statistics of results.h5, the rows that the run takes at `statistics.interval`: windows, overlaps, voidage,
+        surface, bubbles, energy; values [n] or [n, k]."""
+        series = module("series")
+        return series.Table(self._file("results.h5"), "statistics")
+
+    @property
+    def taps(self):
+        """{name: Series} of /taps of results.h5: `pressure` [n, taps] at each of records.pressureTaps, at `statistics.tapInterval`."""
+        series = module("series")
+        return series.Table(self._file("results.h5"), "taps")
+
+    @property
     def ledger(self):
         """{name: Series} of /ledger of results.h5: what was counted, and the residuals of the balances, in each gas step."""
         series = module("series")
