@@ -287,11 +287,11 @@ class WithoutConfiguration(Folder):
     def test_a_start_beyond_the_end(self):
         """cases/sscp1 says `from 10`; its first second is reported all the same, nothing of it is trusted, and all is told."""
         run = self.run_of("one", 21)
-        for name in ("parameters", "system/reportDict", "system/blockMeshDict"):
+        for name in ("parameters", "system/couplingDict", "system/blockMeshDict"):
             shutil.copy(os.path.join(CASES, "sscp1", name), os.path.join(run, name))
         text = self.report(run)
         self.assertIn("from 0.5 to 1 s (the latter half, as start-up is not known to be over)", text)
-        self.assertRegex(text, r"note: `from` = 10 s of system/reportDict is after what there is in all runs, which ends at 1 s")
+        self.assertRegex(text, r"note: `from` = 10 s of statistics of system/couplingDict is after what there is in all runs, which ends at 1 s")
         self.assertRegex(text, r"A: (\d+) of \1 means have no error that is to be trusted; .* all at [0-9.]+ s")
         self.assertRegex(text, r"bed height \[m\] +0.3 \+- 0 \?")
         self.assertIn("from 0.3 to 1 s (--from)", self.report(run, "--from", 0.3))
