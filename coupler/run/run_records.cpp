@@ -281,7 +281,7 @@ void RunRecords::keep(Archive& archive)
     if (!samples_) return;
     archive.within("samples", [&] { samples_->keep(archive); });
     archive.within("statistics", [&] {
-        if (!archive.loads() || archive.has("seconds")) statistics_->keep(archive);
+        if (!archive.loads() || archive.has("scene/columns")) statistics_->keep(archive);
     });
 }
 

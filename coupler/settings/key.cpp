@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "settings/key.hpp"
 
+#include <cmath>
+
 #include "base/text.hpp"
 
 namespace interphase {
+
+Range any_number()
+{
+    return {"any", [](double value) { return std::isfinite(value); }};
+}
 
 Range above(double limit)
 {

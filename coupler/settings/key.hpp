@@ -21,6 +21,7 @@ struct Range {
     std::function<bool(double)> holds;
 };
 
+Range any_number();
 Range above(double limit);
 Range at_least(double limit);
 Range between(double low, double high);  ///< without the two

@@ -95,13 +95,12 @@ void read_particles(Reader& dict, Settings& settings, const std::filesystem::pat
                              "correct the name, or put the script there");
     dict.own_entries({"variables", "handed to the script as LIGGGHTS variables, with `weight`"}, settings.variables);
     read_solid_step(dict, settings);
-    constexpr double any = 1e15;
     dict.number(
         {"stepAtTimeZero",
          "the step that LIGGGHTS counts at the gas's time 0, for a start at a later time by read_restart: of a bed "
          "that a run without gas had made, or steps that were longer or shorter before",
          "", "0", "a step's number"},
-        settings.step_at_time_zero, at_least(-any));
+        settings.step_at_time_zero, any_number());
 }
 
 void read_gas(Reader& dict, Settings& settings)

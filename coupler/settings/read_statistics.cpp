@@ -7,21 +7,19 @@ namespace interphase {
 
 namespace {
 
-constexpr double any = 1e15;
-
 void read_windows(Reader& dict, StatisticsSettings::Windows& windows)
 {
     dict.whole_number(
         {"count", "windows side by side across x", "", "5, fewer where they would be below 4 largest diameters"},
         windows.count);
-    dict.number({"left", "x of the left end of the first", "m", "the vessel's"}, windows.left, at_least(-any));
-    dict.number({"right", "x of the right end of the last", "m", "the vessel's"}, windows.right, at_least(-any));
+    dict.number({"left", "x of the left end of the first", "m", "the vessel's"}, windows.left, any_number());
+    dict.number({"right", "x of the right end of the last", "m", "the vessel's"}, windows.right, any_number());
     dict.number({"centre", "z of their middle", "m", "the mean height of all solids at the start"}, windows.centre,
-                at_least(-any));
+                any_number());
     dict.number(
         {"height", "their height", "m", "a window's width, 4 largest diameters at least, the vessel's height at most"},
         windows.height, above(0));
-    dict.number({"front", "y of the front wall", "m", "the vessel's"}, windows.front, at_least(-any));
+    dict.number({"front", "y of the front wall", "m", "the vessel's"}, windows.front, any_number());
     dict.number({"frontDepth", "depth of the slice behind it", "m", "the largest diameter"}, windows.front_depth,
                 above(0));
     if (windows.left && windows.right && *windows.right <= *windows.left)
@@ -73,8 +71,7 @@ void read_statistics(Reader& dict, StatisticsSettings& settings)
                  "s"},
                 settings.tap_interval, at_least(0));
     double from = 0;
-    dict.number({"from", "start-up, which tools/report leaves out", "s", "found by tools/report"}, from,
-                at_least(-any));
+    dict.number({"from", "start-up, which tools/report leaves out", "s", "found by tools/report"}, from, any_number());
     dict.block_or_none({"windows",
                         "velocities and granular temperature at places across the bed, in a slice at the "
                         "front wall and over the whole depth"},

@@ -151,7 +151,6 @@ void Statistics::sample_energy(Results::Row& row)
 void Statistics::keep(Archive& archive)
 {
     archive.keep("scene", scene_);
-    archive.keep_largest("seconds", seconds_);
     if (archive.loads()) ready();
 }
 

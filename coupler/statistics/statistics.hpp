@@ -29,10 +29,10 @@ public:
     /// Adds a row. `voidage`: of this rank's cells [n]; empty without a gas.
     void sample(double time, const Scalars& voidage, Results& results);
 
-    /// What was chosen by the bed as it was at the start, and the time that samples took.
+    /// What was chosen by the bed as it was at the start.
     void keep(Archive& archive);
 
-    double seconds() const { return seconds_; }  ///< wall-clock time of this rank's samples so far
+    double seconds() const { return seconds_; }  ///< wall-clock time of this rank's samples in this part of the run
 
 private:
     void ready();

@@ -79,7 +79,10 @@ Bed bed_of(const Communicator& comm, Solids& solids, const Box* gas_bounds)
     bed.largest = comm.max(largest);
     bed.vessel.col(0) = comm.min(Vector(around.col(0)));
     bed.vessel.col(1) = comm.max(Vector(around.col(1)));
-    if (gas_bounds) bed.vessel = *gas_bounds;
+    if (gas_bounds)
+        bed.vessel = *gas_bounds;
+    else if (const Box domain = solids.periods().box; domain(0, 1) > domain(0, 0))
+        bed.vessel = domain;
     bed.count = sums[0];
     if (bed.count > 0) {
         bed.mean = std::cbrt(sums[1] / sums[0]);

@@ -27,7 +27,7 @@ struct SampleWindows {
 
 /// The vessel, and the spheres in it.
 struct Bed {
-    Box vessel = empty_box();      ///< around the gas mesh, without one around all spheres [m]
+    Box vessel = empty_box();      ///< around the gas mesh, else the particles' domain, else around all spheres [m]
     double count = 0;              ///< spheres
     double largest = 0, mean = 0;  ///< diameter, and that of the mean volume [m]
     double middle = 0;             ///< mean height of their volume, z [m]

@@ -36,7 +36,7 @@ def names_of(runs):
 
 
 def _files(runs, names, scene_file):
-    """(the system/reportDict of each run, notes). A run without one is measured by that of the first run that has one."""
+    """(the `File` that says what to measure in each run, notes). A run without one is measured by that of the first run that has one."""
     files = [report_scene.opened(run.path, scene_file) for run in runs]
     has = [file.given for file in files]
     if all(has) or not any(has):
@@ -44,9 +44,7 @@ def _files(runs, names, scene_file):
     first = has.index(True)
     without = [name for name, there in zip(names, has) if not there]
     return ([file if there else files[first] for file, there in zip(files, has)],
-            [f"{' and '.join(without)} without {os.path.basename(report_scene.EARLIER_SCENE)}: measured as that of {names[first]} says"
-             if os.path.basename(files[first].path) == os.path.basename(report_scene.EARLIER_SCENE) else
-             f"{' and '.join(without)} without {report_scene.SCENE}: measured as that of {names[first]} says"])
+            [f"{' and '.join(without)} without a block `statistics`: measured as {names[first]} says"])
 
 
 def _common_scene(files, runs, taken, start, end):
