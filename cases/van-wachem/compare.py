@@ -194,7 +194,8 @@ def store(name, fields, rows):
     text = io.StringIO()
     writer = csv.DictWriter(text, fields, lineterminator="\n")
     writer.writeheader()
-    writer.writerows([row for row in stored(name) if row["run"] not in new] + rows)
+    kept = [row for row in stored(name) if row["run"] not in new]
+    writer.writerows(sorted(kept + rows, key=lambda row: row["run"]))
     with open(os.path.join(STUDY, name), "w", encoding="utf-8") as file:
         file.write(text.getvalue())
 
