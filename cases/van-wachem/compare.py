@@ -194,7 +194,8 @@ def store(name, fields, rows):
     text = io.StringIO()
     writer = csv.DictWriter(text, fields, lineterminator="\n")
     writer.writeheader()
-    writer.writerows([row for row in stored(name) if row["run"] not in new] + rows)
+    kept = [row for row in stored(name) if row["run"] not in new]
+    writer.writerows(sorted(kept + rows, key=lambda row: row["run"]))
     with open(os.path.join(STUDY, name), "w", encoding="utf-8") as file:
         file.write(text.getvalue())
 
@@ -229,8 +230,8 @@ def table(rows, packings):
     print(tables.markdown_head(("run", "differs", "to [s]", "diameter over depth", "packing", "U - U_mf [m/s]", "pressure, deviation [Pa]", "strongest [Hz]",
                                 "surface [mm]", "its deviation [mm]")))  # fmt: skip
     for row in rows:
-        pair = " +- ".join(f"{1e3 * float(row[key]):.1f}" for key in ("surface", "surface_error") if row[key])
-        swing = f"{1e3 * float(row['surface_deviation']):.1f} +- {1e3 * float(row['surface_deviation_error']):.1f}"
+        pair, swing = (" +- ".join(f"{1e3 * float(row[key]):.1f}" for key in (name, f"{name}_error") if row[key] not in ("", "nan"))
+                       for name in ("surface", "surface_deviation"))  # fmt: skip
         packing = fluidized(row, packings)
         print(tables.markdown_row((
             row["run"], row["differs"], row["until"], f"{float(row['diameter_over_depth']):.2f}" if row["diameter_over_depth"] else "",
@@ -292,7 +293,7 @@ def draw(rows, packings, path):
             colour = f"C{MARKS.index(row['method'])}"
             trade.errorbar(at, float(row["deviation"]), float(row["error"]), fmt="osD^"[MARKS.index(row["method"])], color=colour, capsize=2, ms=5)
             trade.annotate(row["run"], (at, float(row["deviation"])), (5, -9), textcoords="offset points", fontsize=7, color=colour)
-    trade.set(xlabel="inlet velocity less U$_{mf}$ of the bed's own packing [m/s]", ylabel="deviation of the pressure [Pa]", ylim=(0, None), xlim=(0, None))
+    trade.set(xlabel="inlet velocity less U$_{mf}$ of the bed's own packing [m/s]", ylabel="deviation of the pressure [Pa]", ylim=(0, None), xlim=(0, 0.6))
     figure.savefig(path, dpi=90)
     print(f"compare: drawn in {path}")
 

@@ -78,6 +78,13 @@ class Measures(unittest.TestCase):
         # 200 records of 29 frequencies; Welch's degrees of freedom are good to some per cent
         self.assertAlmostEqual(numpy.mean(inside), 0.95, delta=0.02)
 
+    def test_minimum_fluidization_is_that_of_erguns_equation(self):
+        # 150 mu phi U/(eps^3 d^2) + 1.75 rho U^2/(eps^3 d) = (rho_p - rho) g, with the numbers of the case
+        phi, eps, d, rho, mu = 0.6, 0.4, 1.545e-3, 1.28, 1.7024e-5
+        a, b, c = 1.75 * rho / (eps**3 * d), 150 * mu * phi / (eps**3 * d**2), -(1150 - rho) * 9.81
+        exact = (-b + (b * b - 4 * a * c) ** 0.5) / (2 * a)
+        self.assertAlmostEqual(COMPARE["minimum_fluidization"](phi, "Ergun"), exact, delta=1e-9)
+
     def test_the_measurement_is_read_as_it_was_printed(self):
         row = COMPARE["of_measurement"]()
         self.assertAlmostEqual(float(row["deviation"]), 82, delta=1)
@@ -87,9 +94,9 @@ class Measures(unittest.TestCase):
 
 class Stored(unittest.TestCase):
     def test_every_stored_run_says_how_it_was_made(self):
-        rows = COMPARE["stored"]("runs.csv")
-        self.assertTrue(rows)
-        for row in rows:
+        flowing, resting = COMPARE["stored"]("runs.csv"), COMPARE["stored"]("packings.csv")
+        self.assertTrue(flowing and resting)
+        for row in flowing + resting:
             self.assertRegex(row["command"], r"^tools/run cases/van-wachem --method \w+ .*--until ")
             self.assertRegex(row["commit"], r"^[0-9a-f]{12}$")
 
