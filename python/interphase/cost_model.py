@@ -25,7 +25,7 @@ class Pace:
     at: numpy.ndarray
     rates: numpy.ndarray
     width: numpy.ndarray
-    measured_to: float = math.inf  # [s]: beyond, it is another method's shape
+    measured_to: float = None  # [s]: beyond, it is another method's shape; None: all is its own
 
     @property
     def end(self):
@@ -44,13 +44,14 @@ class Pace:
 
     @property
     def error_of_last(self):
-        """Standard error of it: by the scatter of its blocks, and by half of what the halves of them differ, as a trend may go on."""
+        """Standard error of it: by the scatter of its blocks, and by what the halves of them differ, as a trend may go on. Rather too large: without a trend
+        twice the scatter of the mean."""
         late = self.rates[self._late]
         if len(late) < 2:
             return math.nan
         scatter = float(late.std(ddof=1)) / math.sqrt(len(late))
         half = len(late) // 2
-        trend = abs(float(late[half:].mean() - late[:half].mean())) / 2
+        trend = abs(float(late[half:].mean() - late[:half].mean()))
         return math.hypot(scatter, trend)
 
     def between(self, early, late):
@@ -62,7 +63,8 @@ class Pace:
         """(cost, standard error) of a run from 0 to `until` [s]: what was measured where it was measured, the last rate beyond."""
         beyond = max(0.0, until - self.end)
         seconds = self.between(0.0, until) + beyond * self.last
-        doubt = SHAPE_ERROR * max(0.0, seconds - self.between(0.0, self.measured_to))
+        taken = 0.0 if self.measured_to is None else max(0.0, seconds - self.between(0.0, self.measured_to))
+        doubt = SHAPE_ERROR * taken
         return seconds, math.hypot(beyond * self.error_of_last, doubt) if beyond > 0 else doubt
 
 

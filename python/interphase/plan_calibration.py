@@ -25,6 +25,7 @@ SCOUT_WEIGHTS = (8.0, 27.0, 64.0)
 MOST_PARCELS = 50000
 FEWEST_PARCELS = 1000  # of a scout: fewer are no bed
 WIDEST = 0.25  # of the vessel's smallest extent, of a parcel
+BETWEEN_SNAPSHOTS = 6  # gas steps
 NEVER = float("inf")
 
 
@@ -51,7 +52,8 @@ class Calibration:
 def short_run(case, folder, seconds, until, ranks):
     """The `Run` of the Case in `folder` until it has taken `seconds` of its processors, but cost_model.FEWEST gas steps at least, or is at `until`
     [s]. InputError, StepFailed as of Case.run; InputError where it does not run."""
-    entries = {"records/interval": gas_step(case) / 2, "checkpoint/wallInterval": 0}  # a row for each gas step
+    step = gas_step(case)
+    entries = {"records/interval": step / 2, "records/snapshotInterval": BETWEEN_SNAPSHOTS * step, "checkpoint/wallInterval": 0}  # a row for each gas step
     with contextlib.redirect_stderr(io.StringIO()) as said:  # that it was stopped is no news
         run = case.set(entries).run(folder, ranks=ranks, until=until, overwrite=True, wait=False)
         while run.state == RUNNING:
@@ -98,13 +100,16 @@ def output_of(run, case):
     """The `Output` of the case by its short `run`."""
     rows = run.processor_time["output"]
     each = numpy.diff(rows.values)
-    row = float(numpy.median(each))
+    row = float(numpy.median(each))  # most rows have no snapshot
+    times = run.snapshots.times
+    inside = int(((times > 0) & (times < rows.time[-1])).sum())
+    snapshot = float((each[1:] - row).sum()) / inside if inside else float(each[0]) - row  # the first one makes the file, too
     files = case.dictionaries
     recorded = interval(files, COUPLING, "records/interval", 0.05)
     fields = interval(files, CONTROL, "writeInterval", NEVER)
     snapshots = interval(files, COUPLING, "records/snapshotInterval", 0.0) or fields
     count = len(run.snapshots)
-    return Output(row, max(0.0, float(each[0]) - row), size(run, "results.h5") / max(1, len(rows.time)),
+    return Output(row, max(0.0, snapshot), size(run, "results.h5") / max(1, len(rows.time)),
                   size(run, "particles.h5") / max(1, count) + folder_size(os.path.join(run.path, "snapshots")) / max(1, count),
                   field_bytes(run), (recorded, snapshots, fields))  # fmt: skip
 

@@ -257,7 +257,7 @@ def scaling_of_mp_pic(given):
 
 def cost_of_the_model(given):
     if not given.show:
-        with tempfile.TemporaryDirectory(prefix="interphase-bench-") as scratch:
+        with contextlib.nullcontext(given.keep) if given.keep else tempfile.TemporaryDirectory(prefix="interphase-bench-") as scratch:
             cost_study.study(given.rounds, given.start, scratch, given.table, lambda text: print(text, flush=True))
     print("\n".join(cost_study.report(given.table)))
 
@@ -298,6 +298,7 @@ def main():
     seven.add_argument("--rounds", type=int, default=3)
     seven.add_argument("--start", type=float, default=0.4, help="when the beds are taken [s] (default 0.4)")
     seven.add_argument("--table", metavar="FILE", default="cost-model.csv", help="what is measured (default cost-model.csv)")
+    seven.add_argument("--keep", metavar="DIR", help="leave the beds there, and take those that are there")
     seven.add_argument("--show", action="store_true", help="measure nothing: show the table that is there")
     given = parser.parse_args()
     try:

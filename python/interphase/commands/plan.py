@@ -149,7 +149,7 @@ def check(done, given, scratch):
         end = reached.reached
         spent = {phase: float(run.processor_time[phase].values[-1] - run.processor_time[phase].values[0]) for phase in model.PHASES}
         foretold = each.cost(end)
-        foretold.seconds["output"] = spent["output"]  # there, a row in each gas step is written, for the measuring
+        foretold.seconds["output"] = spent["output"]  # here, a row in each gas step is written, for the measuring
         rows.append((f"{method} W = {weight:g}, {end:.3g} s", foretold, model.Cost(spent, {}, reached.setup)))
     return rows
 
