@@ -47,6 +47,11 @@ class Case:
             case_folder.set_method_and_weight(changed._dictionaries, changed._method, changed._weight)
         return changed
 
+    def value(self, name, default=None):
+        """The text of the entry that `set` knows by this name, as changed; `default` where there is none."""
+        file, path = self._dictionaries.place_of(name)
+        return self._dictionaries.value(file, path, default) if self._dictionaries.has(file) else default
+
     @property
     def method(self):
         """The collision method: DEM, CGPM, TDHS, CGHS, MPPIC or PLUGIN."""

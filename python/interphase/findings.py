@@ -87,9 +87,9 @@ def ratio(over, under):
 
 
 def _plus(value, half, factor=1.0, unit=""):
-    """In words."""
+    """In words; `?` where no error is known, or it is not to be trusted."""
     known = math.isfinite(half)
-    return f"{factor * value:.3g}" + (f" +- {factor * half:.2g}" if known else "") + unit + ("" if known else ", error not known")
+    return f"{factor * value:.3g} +- " + (f"{factor * half:.2g}" if known else "?") + unit
 
 
 def _compared(asked, sheet, name, limit, below, what):

@@ -9,6 +9,7 @@ from interphase import page_html, report_figure
 from interphase.report_figure import INK, MARKERS, handles, plt, style
 
 WIDE, DEEP = 5.0, 3.3  # inches
+WHOLE = "0.8"  # of a cost whose phases are not known
 PARTS = {"solids": "#1b6ca8", "gas": "#d1495b", "coupling": "#c98a12", "other": "#9a9a9a"}
 
 
@@ -57,8 +58,8 @@ def cost_split(costs, names):
         if cost is None:
             continue
         left = 0.0
-        for part, seconds in (cost.split or {"other": cost.value}).items():
-            axes.barh(at, seconds, left=left, color=PARTS[part], height=0.6)
+        for part, seconds in (cost.split or {"": cost.value}).items():
+            axes.barh(at, seconds, left=left, color=PARTS.get(part, WHOLE), height=0.6)
             left += seconds
         if math.isfinite(cost.error):
             axes.errorbar([cost.value], [at], xerr=[cost.error], color=INK, capsize=2, linewidth=0.9)
@@ -68,7 +69,8 @@ def cost_split(costs, names):
     figure.legend([plt.Rectangle((0, 0), 1, 1, color=colour) for colour in PARTS.values()], list(PARTS), loc="upper left", ncol=4, frameon=False,
                   fontsize=8)  # fmt: skip
     figure.tight_layout(rect=(0, 0, 1, deep / (deep + 0.3)))
-    return page_html.drawn(figure, "seconds of each phase per simulated second of each run")
+    return page_html.drawn(figure, "seconds of each phase per simulated second of each run",
+                           "Light grey: a run that has not told its phases." if any(cost and not cost.split for cost in costs) else "")
 
 
 def trade(points, names, title=""):

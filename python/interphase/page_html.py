@@ -25,7 +25,8 @@ img, video { max-width: 100%; height: auto; display: block; }
 table { border-collapse: collapse; font-size: .9rem; font-variant-numeric: tabular-nums; }
 th, td { text-align: left; padding: .2rem .8rem .2rem 0; border-bottom: 1px solid #e4e4e4; vertical-align: top; }
 td { white-space: nowrap; }
-td.text { white-space: normal; min-width: 14rem; }
+li { margin-bottom: .5rem; }
+nav li { margin: 0; }
 thead th { border-bottom: 2px solid #888; }
 dt { font-weight: 600; } dd { margin: 0 0 .4rem 0; }
 code { font-size: .9em; overflow-wrap: anywhere; }
@@ -42,13 +43,12 @@ def link(target, words):
     return f'<a href="#{html.escape(target)}">{text(words)}</a>'
 
 
-def table(head, rows, prose=()):
-    """`head`: cells of the first line; `rows`: lists of cells; all of them HTML. Columns with a number in `prose` hold sentences."""
+def table(head, rows):
+    """`head`: cells of the first line; `rows`: lists of cells; all of them HTML."""
     lines = ["<tr>" + "".join(f'<th scope="col">{cell}</th>' for cell in head) + "</tr>"]
     body = []
     for row in rows:
-        cells = [f'<th scope="row">{row[0]}</th>'] + [
-            f'<td class="text">{cell}</td>' if at in prose else f"<td>{cell}</td>" for at, cell in enumerate(row[1:], 1)]
+        cells = [f'<th scope="row">{row[0]}</th>'] + [f"<td>{cell}</td>" for cell in row[1:]]
         body.append("<tr>" + "".join(cells) + "</tr>")
     return ('<div class="wide"><table><thead>' + "".join(lines) + "</thead>\n<tbody>" + "\n".join(body) + "</tbody></table></div>")
 

@@ -67,7 +67,8 @@ class Page:
             rows.append([self._to_run(sheet.name), text(account.method), text(f"{account.weight:g}"),
                          self._number(at, f"{sheet.report.first:.4g} to {sheet.report.last:.4g} s, {measured}"), self._number(at, cost_words(point.cost)),
                          "reference" if at == 0 else self._number(at, distance_words(point.distance))])  # fmt: skip
-        words = f"Over {self.reference.start:.4g} to {self.reference.end:.4g} s ({self.reference.how})."
+        same = len({(sheet.start, sheet.end) for sheet in self.sheets}) == 1
+        words = f"Over {self.reference.start:.4g} to {self.reference.end:.4g} s ({self.reference.how})." if same else "Each run over its own time."
         kinds = sorted({point.cost.kind for point in self.points if point.cost})
         more = paragraph("None of these is beaten in both, cost and distance: " + ", ".join(self._to_run(name) for name in best) + ".") if best else ""
         return (paragraph(text(words)) + table(["run", "method", "W", "measured, samples", f"cost [s/s, {' or '.join(kinds) or 'not known'}]", "distance to the reference"], rows)
@@ -78,10 +79,9 @@ class Page:
         if not found:
             return paragraph("None of its claims can be asked of these runs: they are of DEM or TDHS beside other methods.")
         counts = ", ".join(f"{sum(each.verdict == verdict for each in found)} {verdict}" for verdict in VERDICTS)
-        rows = [[text(each.claim), f"<strong>{text(each.verdict)}</strong>", text(each.reason), ", ".join(self._to_run(name) for name in dict.fromkeys(each.runs))]
-                for each in found]  # fmt: skip
-        return paragraph(f"{counts}. The margins stand beside the numbers; +- is the half width at 95 %.") + table(
-            ["claim", "verdict", "number and reason", "runs"], rows, prose=(2,))
+        items = [f"<strong>{text(each.verdict)}</strong>: {text(each.claim)}.<br>{text(each.reason)} "
+                 f"({', '.join(self._to_run(name) for name in dict.fromkeys(each.runs))})" for each in found]  # fmt: skip
+        return paragraph(f"{counts}. The margins stand beside the numbers; +- is the half width at 95 %.") + listed(items)
 
     def _panels(self, names, more=""):
         drawn = [page_figures.panel(self.panels[name], self.names, f"{name} of each run", name.capitalize() + ".") for name in names if name in self.panels]

@@ -158,16 +158,26 @@ def _taken(runs, names, snapshots):
     return found, []
 
 
-def reported(runs, start=None, end=None, scene_file=None, every=1, progress=lambda name, done, of, time: None, snapshots=False):
+def scene_of_all(runs, scene_file=None, snapshots=False):
+    """(`Scene` that holds for all `Records` over all of their time, whether it is measured of snapshots, notes)."""
+    names = names_of(runs)
+    files, notes = _files(runs, names, scene_file)
+    taken, of_rows = _taken(runs, names, snapshots or scene_file is not None)
+    scene, more = _common_scene(files, runs, taken, None, None)
+    return scene, taken is None, notes + of_rows + more
+
+
+def reported(runs, start=None, end=None, scene_file=None, every=1, progress=lambda name, done, of, time: None, snapshots=False, scene=None):
     """`Reported` of the `Records` of several runs from `start` to `end` [s] (None: as tools/report chooses): of the rows of /statistics
     where each has them, unless `snapshots` or a `scene_file` (in the place of what the runs say) is given, else by each `every`-th
-    snapshot. `progress` is called at each snapshot."""
+    snapshot. `scene` is measured instead of what the files say. `progress` is called at each snapshot."""
     names, where = names_of(runs), Matching("time", None)
     files, notes = _files(runs, names, scene_file)
     taken, of_rows = _taken(runs, names, snapshots or scene_file is not None or every > 1)
     looked_at, more = _time_range(runs, names, files, taken, start, end)
-    scene, of_scene = _common_scene(files, runs, taken, looked_at.start, looked_at.end)
-    more = of_rows + more
+    more, of_scene = of_rows + more, []
+    if scene is None:
+        scene, of_scene = _common_scene(files, runs, taken, looked_at.start, looked_at.end)
 
     def inside(time):
         return where.inside(time, looked_at.start, looked_at.end)

@@ -15,7 +15,7 @@ from typing import Optional
 
 import numpy
 
-from interphase import gas_profile, run_account
+from interphase import gas_profile, reporting, run_account
 from interphase.input_error import InputError
 from interphase.report_scene import Scene
 from interphase.run_account import Account
@@ -50,6 +50,16 @@ def of_reported(runs, found):
         profile, missing = gas_profile.pressure_profile(run.path, found.range.start, found.range.end)
         sheets.append(Sheet(name, run_account.of_run(run), report, found.scene, found.range.start, found.range.end, found.range.how, profile, missing))
     return sheets
+
+
+def each_over_its_own_time(runs, starts=None, scene_file=None, every=1, progress=lambda *_: None, snapshots=False):
+    """([`Sheet`], notes) of `Records`, each measured from its entry of `starts` [s] (None: as tools/report finds it) to its own end; what is measured is the same
+    in all. For runs of different length."""
+    scene, snapshots, notes = reporting.scene_of_all(runs, scene_file, snapshots or every > 1)
+    found = [reporting.reported([run], start, None, scene_file, every, progress, snapshots, scene) for run, start in zip(runs, starts or [None] * len(runs))]
+    sheets = [sheet for run, each in zip(runs, found) for sheet in of_reported([run], each)]
+    sheets = [dataclasses.replace(sheet, name=name) for sheet, name in zip(sheets, reporting.names_of(runs))]
+    return sheets, list(dict.fromkeys(notes + [note for each in found for note in each.notes]))
 
 
 def store(folder, sheets):

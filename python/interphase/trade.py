@@ -119,9 +119,17 @@ def _chance(pairs, difference, variance):
         if v == 0:
             least = min(least, 1.0 if d == 0 else 0.0)
             continue
-        freedom = v**2 / sum(m.error**4 / m.freedom for m in (a, b) if m.error > 0)
-        least = min(least, 2 * float(stats.t.sf(abs(d) / math.sqrt(v), freedom)))
+        freedom = _freedom(v, (a.error**2, b.error**2), (a, b))
+        least = min(least, 2 * float(stats.t.sf(abs(d) / math.sqrt(v), max(freedom, 1e-3))))
     return min(1.0, least * len(pairs))
+
+
+def _freedom(whole, parts, means):
+    """Degrees of freedom of the variance `whole`, the sum of `parts` with those of `means` (Welch and Satterthwaite); 0 where one has none."""
+    if any(part > 0 and mean.freedom <= 0 for part, mean in zip(parts, means)):
+        return 0.0
+    below = sum(part**2 / mean.freedom for part, mean in zip(parts, means) if part > 0)
+    return whole**2 / below if below > 0 else math.inf
 
 
 def overall(found):
@@ -167,6 +175,6 @@ def as_mean(values):
     count = len(known)
     errors = [each.error for each in known]
     error = math.sqrt(sum(e * e for e in errors)) / count
-    freedom = error**4 / (sum((e / count) ** 4 / m.freedom for e, m in zip(errors, known) if e > 0) or math.inf) if error > 0 else math.inf
+    freedom = _freedom(error**2, [(e / count) ** 2 for e in errors], known) if error > 0 else math.inf
     return Mean(sum(each.value for each in known) / count, error, known[0].deviation, min(each.samples for each in known),
                 min(each.effective for each in known), freedom, known[0].time, next((each.reason for each in known if each.reason), ""))  # fmt: skip

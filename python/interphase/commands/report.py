@@ -69,6 +69,7 @@ def arguments(given):
     parser.add_argument("--reference", metavar="NAME", help="the run that the others are held against (default: the first; of a stored folder, DEM or TDHS)")
     parser.add_argument("--depth", choices=("front", "full"), help="the windows to show (default: see below)")
     parser.add_argument("--every", metavar="N", type=count, default=1, help="read each N-th snapshot only, and no rows (default: 1)")
+    parser.add_argument("--own-time", action="store_true", help="each run to its own end, not to the shortest one's; nothing is written into the runs then")
     parser.add_argument("--scene", metavar="FILE", help="what to measure of snapshots, instead of what the runs' `statistics` say; same keys")
     parser.add_argument("--snapshots", action="store_true", help="measure snapshots, also where a run has rows of /statistics")
     parser.add_argument(
@@ -80,6 +81,8 @@ def arguments(given):
     )
     options = parser.parse_args(given)
     check_order(options.start, options.end)
+    if options.own_time and options.end is not None:
+        raise InputError("--own-time and --until: each run goes to its own end, or all to one; give one of them")
     if options.html:
         report_output.check_name(options.html, "--html")
     if options.store and os.path.exists(options.store) and not os.path.isdir(options.store):
@@ -117,9 +120,12 @@ def progress(name, done, of, time):
 def measured(options):
     """([`Sheet`], {name: folder}, notes) of runs; their files get the numbers unless --no-write."""
     runs = [reporting.opened(path) for path in options.runs]
-    if not options.no_write:
+    if not options.no_write and not options.own_time:
         for run in runs:
             report_file.check_writable(run)
+    if options.own_time:
+        sheets, notes = run_sheet.each_over_its_own_time(runs, [options.start] * len(runs), options.scene, options.every, progress, options.snapshots)
+        return sheets, {sheet.name: run.path for sheet, run in zip(sheets, runs)}, notes
     found = reporting.reported(runs, options.start, options.end, options.scene, options.every, progress, options.snapshots)
     notes = found.notes + [f"{name}: {start}" for name, run in zip(found.names, runs) if (start := started_from(run))]
     if not options.no_write:
@@ -158,7 +164,7 @@ def report(options):
     for name, each in zip(names, reports):
         for note in each.notes:
             print(f"note: {name}: {note}")
-    figure = options.out or (None if options.no_write or of_stored else os.path.join(folders[names[0]], "report.png"))
+    figure = options.out or (None if options.no_write or options.own_time or of_stored else os.path.join(folders[names[0]], "report.png"))
     if figure:
         report_figure.draw(figure, names, reports, depth, scene)
         print(f"figure     {figure}")
