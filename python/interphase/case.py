@@ -68,6 +68,13 @@ class Case:
         return dict(self._settings)
 
     @property
+    def dictionaries(self):
+        """The `Dictionaries` of the case's files, as changed: a copy."""
+        found = case_folder.Dictionaries(self.path)
+        found.take(self._dictionaries)
+        return found
+
+    @property
     def end_time(self):
         """The simulated time that a run ends at where it is not told otherwise, s; None where the case does not say it as a number."""
         return case_folder.end_time(self._dictionaries)

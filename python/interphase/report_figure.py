@@ -129,16 +129,18 @@ def _voidage(axes, reports):
         dense = share[report.voidage.edges[1:] < 0.95]
         top = max(top, dense.max(initial=0.0))
     axes.set_ylim(0, 1.25 * top or None)
-    axes.set(xlabel="voidage", ylabel="cells [%]")
+    axes.set(xlabel="mapped voidage" if any(report.of_rows for report in reports) else "voidage", ylabel="cells [%]")
     axes.set_title("the empty vessel's peak at 1 is cut off", fontsize=7, color="0.45")
 
 
 def _pressure(axes, reports):
-    """Spectra where all records are long enough, else the series."""
+    """Spectra with their 95 % bands where all records are long enough, else the series."""
     some = [(at, report) for at, report in enumerate(reports) if report.pressure is not None]
     if all(report.spectrum is not None for _, report in some):
         for at, report in some:
-            axes.semilogy(report.spectrum[0], report.spectrum[1], **style(at))
+            found = report.spectrum
+            axes.semilogy(found.frequency, found.power, **style(at))
+            axes.fill_between(found.frequency, found.low, found.high, color=style(at)["color"], alpha=0.15, linewidth=0)
         axes.set(xlabel="frequency [Hz]", ylabel="pressure drop, power [Pa²/Hz]")
         return
     for at, report in some:

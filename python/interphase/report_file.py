@@ -8,6 +8,7 @@ import os
 import h5py
 import numpy
 
+from interphase import spectrum
 from interphase.input_error import InputError
 from interphase.stored import attributes, below
 
@@ -98,8 +99,10 @@ def fill(file, scene, report):
             attributes["error"], attributes["trusted"] = quantity.mean.error, int(not quantity.mean.reason)
     if report.spectrum is not None:
         group = profiles.create_group("pressure_spectrum")
-        _data(group, "frequency", report.spectrum[0], "Hz")
-        _data(group, "power_density", report.spectrum[1], "Pa2/Hz")
+        _data(group, "frequency", report.spectrum.frequency, "Hz")
+        for name, values in (("power_density", report.spectrum.power), ("low", report.spectrum.low), ("high", report.spectrum.high)):
+            _data(group, name, values, "Pa2/Hz")
+        group.attrs["resolution"], group.attrs["coverage"] = report.spectrum.resolution, spectrum.COVERAGE
     if report.overlaps:
         _overlaps(histograms.create_group("overlap"), scene.overlaps, report)
     if report.voidages:

@@ -52,11 +52,11 @@ def of_reported(runs, found):
     return sheets
 
 
-def each_over_its_own_time(runs, starts=None, scene_file=None, every=1, progress=lambda *_: None):
+def each_over_its_own_time(runs, starts=None, scene_file=None, every=1, progress=lambda *_: None, snapshots=False):
     """([`Sheet`], notes) of `Records`, each measured from its entry of `starts` [s] (None: as tools/report finds it) to its own end; what is measured is the same
     in all. For runs of different length."""
-    scene, notes = reporting.scene_of_all(runs, scene_file)
-    found = [reporting.reported([run], start, None, scene_file, every, progress, scene) for run, start in zip(runs, starts or [None] * len(runs))]
+    scene, snapshots, notes = reporting.scene_of_all(runs, scene_file, snapshots or every > 1)
+    found = [reporting.reported([run], start, None, scene_file, every, progress, snapshots, scene) for run, start in zip(runs, starts or [None] * len(runs))]
     sheets = [sheet for run, each in zip(runs, found) for sheet in of_reported([run], each)]
     sheets = [dataclasses.replace(sheet, name=name) for sheet, name in zip(sheets, reporting.names_of(runs))]
     return sheets, list(dict.fromkeys(notes + [note for each in found for note in each.notes]))

@@ -100,9 +100,9 @@ class ResumedRun(ResumedScene):
         self.expect_equal_rows(whole, done)
 
     def expect_equal_rows(self, whole, done):
-        """The series and the books have no seam."""
+        """The series, the books and the statistics have no seam."""
         with whole.results() as expected, done.results() as found:
-            for table in ("series", "ledger"):
+            for table in ("series", "ledger", "statistics", "taps"):
                 self.assertEqual(table in expected, table in found)
                 for name, column in expected.get(table, {}).items():
                     self.assertEqual(column[:].tobytes(), found[table][name][:].tobytes(), f"{table}/{name}")

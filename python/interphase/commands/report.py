@@ -9,19 +9,21 @@ from interphase.command_line import Parser, check_order, count, share, time
 from interphase.input_error import InputError
 
 DETAILS = """Any run will do, of any vessel and length. x goes across, y is the depth from the front wall on, z is up.
-Start-up is left out: what comes before --from, else before `from` of system/reportDict, else the time that MSER-5
+Start-up is left out: what comes before --from, else before `from` of the block `statistics`, else the time that MSER-5
 finds in /series (pressure drop, bed height, kinetic energy, vertical velocity, number of particles; the latest of
 them). Where a record is too short to tell, its latter half is shown, and no mean of it is trusted. What is measured where is
-the vessel's (the box about the gas mesh, else about all spheres) unless system/reportDict says otherwise. From the
-snapshots of particles.h5:
+the vessel's (the box about the gas mesh, else about all spheres) unless `statistics` of system/couplingDict says otherwise.
+From the rows of /statistics, which a run takes itself where statistics.interval is set (no snapshot is read then), else
+from the snapshots of particles.h5:
 
   velocity               mean of all real particles in a window (those of a sphere whose centre is in it), counted as
                          often as they are seen there
   granular temperature   (Theta_x + Theta_z)/3, Theta_x = 1/N sum (v_x - mean)^2 in a window, averaged over the
                          snapshots with two spheres or more, N real particles
   overlaps               of all pairs of spheres that overlap, over the diameter of the smaller one; not with walls
-  voidage                of every cell of a uniform box mesh, the spheres' volume where it lies (a sphere that reaches
-                         into several cells is divided by 64 points); the mapping of the run plays no part
+  voidage                from snapshots: of every cell of a uniform box mesh, the spheres' volume where it lies (a sphere that
+                         reaches into several cells is divided by 64 points); the mapping of the run plays no part
+  mapped voidage         from rows: of every cell of the gas's mesh, as the gas has it, spread by the mapping
 
 and from /series of results.h5: pressure drop (mean, standard deviation, spectrum), bed height, kinetic energy.
 
@@ -38,7 +40,8 @@ replaces the first.
 
 exit code: 0, agreement or not; 2 where nothing can be reported (bad input, a run that is still going).
 
-keys of system/reportDict, an OpenFOAM dictionary (none has to be there; see cases/sscp1):
+keys of the block `statistics` of system/couplingDict (none has to be there; see cases/sscp1; an older case's
+system/reportDict, with the same keys, is read where there is no such block):
 
 @KEYS@
 
@@ -65,9 +68,10 @@ def arguments(given):
     parser.add_argument("--store", metavar="DIR", help="keep what the page is made of as a text file for each run, some 50 kB: `tools/report DIR` needs no run")
     parser.add_argument("--reference", metavar="NAME", help="the run that the others are held against (default: the first; of a stored folder, DEM or TDHS)")
     parser.add_argument("--depth", choices=("front", "full"), help="the windows to show (default: see below)")
-    parser.add_argument("--every", metavar="N", type=count, default=1, help="read each N-th snapshot only (default: 1)")
+    parser.add_argument("--every", metavar="N", type=count, default=1, help="read each N-th snapshot only, and no rows (default: 1)")
     parser.add_argument("--own-time", action="store_true", help="each run to its own end, not to the shortest one's; nothing is written into the runs then")
-    parser.add_argument("--scene", metavar="FILE", help="what to measure, instead of the runs' system/reportDict; same keys")
+    parser.add_argument("--scene", metavar="FILE", help="what to measure of snapshots, instead of what the runs' `statistics` say; same keys")
+    parser.add_argument("--snapshots", action="store_true", help="measure snapshots, also where a run has rows of /statistics")
     parser.add_argument(
         "--confidence", metavar="C", type=share, default=0.95,
         help="of `agree` and `differ`, between 0 and 1 (default: 0.95)",
@@ -120,9 +124,9 @@ def measured(options):
         for run in runs:
             report_file.check_writable(run)
     if options.own_time:
-        sheets, notes = run_sheet.each_over_its_own_time(runs, [options.start] * len(runs), options.scene, options.every, progress)
+        sheets, notes = run_sheet.each_over_its_own_time(runs, [options.start] * len(runs), options.scene, options.every, progress, options.snapshots)
         return sheets, {sheet.name: run.path for sheet, run in zip(sheets, runs)}, notes
-    found = reporting.reported(runs, options.start, options.end, options.scene, options.every, progress)
+    found = reporting.reported(runs, options.start, options.end, options.scene, options.every, progress, options.snapshots)
     notes = found.notes + [f"{name}: {start}" for name, run in zip(found.names, runs) if (start := started_from(run))]
     if not options.no_write:
         for run, each in zip(runs, found.reports):
@@ -136,7 +140,7 @@ def kept(options):
     others = [path for path in options.runs if not report_output.is_stored(path)]
     if others:
         raise InputError(f"{others[0]} is no folder that --store has written, and others are: give runs, or stored folders, not both")
-    for option, given in (("--from", options.start is not None), ("--until", options.end is not None), ("--scene", options.scene), ("--store", options.store)):
+    for option, given in (("--from", options.start is not None), ("--until", options.end is not None), ("--scene", options.scene), ("--store", options.store), ("--snapshots", options.snapshots)):
         if given:
             raise InputError(f"{option}: what is stored has been measured already; give the runs themselves")
     return report_output.stored(options.runs), {}, []
