@@ -3,13 +3,16 @@
 
 import json
 import os
+import shutil
 import unittest
+
+import h5py
 
 from interphase import study_file, study_plan
 from interphase.case_folder import LEFT_BY_A_RUN
 from interphase.input_error import InputError
 from interphase.tree import CASES
-from scratch import InFolder, write
+from scratch import InFolder, read, write
 
 
 class Study(InFolder):
@@ -83,12 +86,14 @@ class Study(InFolder):
             study_plan.check_plugins(study, study_plan.of(study, self.root), os.path.join(self.root, "bin", "interphase"))
 
     def test_windows_outside_of_the_vessel(self):
-        import shutil
         case = shutil.copytree(os.path.join(CASES, "sscp1"), os.path.join(self.root, "case"))
         path = os.path.join(self.root, "study")
         write(path, 'case "case";')
         study_plan.check_windows(study_file.read(path))
-        write(os.path.join(case, "system", "reportDict"), "windows { left 1; right 2; count 2; centre 0.1; height 0.05; frontDepth 0.003; }")
+        coupling = os.path.join(case, "system", "couplingDict")
+        text = read(coupling)
+        self.assertEqual(text.count("left        0;"), 1)
+        write(coupling, text.replace("left        0;", "left        1;").replace("right       $width;", "right       2;"))
         with self.assertRaisesRegex(InputError, "windows/left and windows/right .* outside"):
             study_plan.check_windows(study_file.read(path))
 
@@ -98,7 +103,6 @@ class Study(InFolder):
         self.assertEqual(study_plan.unlike(point, folder, "abc"), "")
         write(os.path.join(folder, "run.json"), json.dumps({"method": "CGPM", "weight": 8.0, "settings": []}))
         self.assertEqual(study_plan.unlike(point, folder, "abc"), "")
-        import h5py
         with h5py.File(os.path.join(folder, "results.h5"), "w") as file:
             file.create_group("meta").attrs["commit"] = "def"
         self.assertIn("it is of version def", study_plan.unlike(point, folder, "abc"))
