@@ -35,14 +35,14 @@ AT_REST = 0.01  # [m/s]
 SEGMENT = 2.5  # [s]
 CERTAINTY = 0.95
 HIGHEST = 12.0  # Hz that are kept of spectra
-WIDTH = 0.09  # of the vessel [m]
+WIDTH, WALL_FRICTION = 0.09, "0.3"  # of the case as it is [m]
 MARKS = ("TDHS", "CGHS", "CGPM", "DEM")
 KEPT = 3.0  # s that are kept of the pressure, as many as were measured
 SHOWN = ("DEM", "TDHS", "CGHS-2", "CGHS-8")  # of the stored runs, in the picture's first two panels
-AS_PACKING = ("W", "depth", "reach", "method")  # runs alike in these have the packing of the one at rest; of methods, CGPM and DEM that of hard spheres
+AS_PACKING = ("W", "depth", "reach", "wall_friction", "method")  # runs alike in these have the packing of the one at rest; of methods, CGPM and DEM that of hard spheres
 PACKINGS = ("run", *AS_PACKING, "diameter_over_depth", "packing", "command", "commit")
 HARD = {"CGPM": "CGHS", "DEM": "TDHS"}
-FIELDS = ("run", "method", "W", "differs", "depth", "reach", "velocity", "law", "from", "until", "diameter_over_depth", "deviation", "error", "doubt", "frequency", "frequency_low",
+FIELDS = ("run", "method", "W", "differs", "depth", "reach", "wall_friction", "velocity", "law", "from", "until", "diameter_over_depth", "deviation", "error", "doubt", "frequency", "frequency_low",
           "frequency_high", "surface", "surface_error", "surface_deviation", "surface_deviation_error", "surface_frequency", "command", "commit")  # fmt: skip
 
 
@@ -118,7 +118,7 @@ def scene(run, folder):
     weight, record = float(run.meta["weight"]), run.record
     across = float(values["diameter"]) * weight ** (1 / 3) / float(values["depth"])
     return values, {"run": os.path.basename(os.path.abspath(folder)), "method": record["method"], "W": f"{weight:g}", "depth": f"{float(values['depth']):g}",
-                    "reach": f"{float(values['reach']):g}", "diameter_over_depth": f"{across:.4g}", "commit": run.meta["commit"][:12]}  # fmt: skip
+                    "reach": f"{float(values['reach']):g}", "wall_friction": f"{float(values['wallFriction']):g}", "diameter_over_depth": f"{across:.4g}", "commit": run.meta["commit"][:12]}  # fmt: skip
 
 
 def at_rest(folder):
@@ -246,7 +246,7 @@ def table_of_packings(packings):
     for row in packings:
         packing = float(row["packing"])
         print(tables.markdown_row((row["run"], row["W"], f"{float(row['diameter_over_depth']):.2f}", f"{packing:.3f}", f"{minimum_fluidization(packing, 'BVK'):.2f}")))
-    between = [row for row in packings if row["reach"] == "0"]
+    between = [row for row in packings if row["reach"] == "0" and row["wall_friction"] == WALL_FRICTION]
     if len(between) > 2:
         ratio = numpy.array([float(row["diameter_over_depth"]) * (1 + float(row["depth"]) / WIDTH) for row in between])
         slope, dense = numpy.polyfit(ratio, [float(row["packing"]) for row in between], 1)

@@ -98,7 +98,8 @@ def shaped(own, shape):
     if first > end:  # the block of the other that `own` ends in
         inside = shape.rates[~beyond][-1:] if not beyond.all() else shape.rates[:1]
         at, rates, width = (numpy.concatenate(pair) for pair in (([(first + end) / 2], at), (ratio * inside, rates), ([first - end], width)))
-    return Pace(numpy.concatenate([own.at, at]), numpy.concatenate([own.rates, rates]), numpy.concatenate([own.width, width]), end)
+    return Pace(numpy.concatenate([own.at, at]), numpy.concatenate([own.rates, rates]), numpy.concatenate([own.width, width]),
+                end if own.measured_to is None else own.measured_to)
 
 
 @dataclass(frozen=True)

@@ -20,7 +20,7 @@ COMMON = os.path.join(os.path.dirname(__file__), "trades.csv")
 PARCELS = ("CGPM", "CGHS", "MPPIC")
 
 # A measured scene says something of another one where each of these differs by no more than the factor. Wide: bubbles depend on all of them, and few
-# scenes are measured. The parcel's size decides most (van-wachem: a third lost at 0.24 of the depth, two thirds at 0.39).
+# scenes are measured. The parcel's size decides most (van-wachem: half is lost at 0.31 of the depth, two thirds at 0.39).
 NEAR = {"velocity_over_minimum": 1.5, "archimedes": 30.0, "parcel_over_depth": 1.5, "parcel_over_cell": 2.0}
 NAMES = {"velocity_over_minimum": "U/U_mf", "archimedes": "Ar", "parcel_over_depth": "parcel/depth", "parcel_over_cell": "parcel/cell"}
 

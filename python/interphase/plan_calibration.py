@@ -18,12 +18,13 @@ from interphase.run import Run
 from interphase.run_state import ENDED, RUNNING, STOPPED
 
 LOOK = 0.3  # s between two looks at a run that goes
-WITH_CONTACTS = ("DEM", "CGPM", "TDHS", "CGHS")  # the costs of their particles go up alike as a bed loosens
-SCOUTS = ("CGHS", "CGPM")  # the cheaper first
+# {method: what of its kind scouts}: costs of particles go up alike as a bed loosens; those of springs a little more, whose lists are renewed by the way
+# that particles go
+SCOUT_OF = {"TDHS": "CGHS", "CGHS": "CGHS", "DEM": "CGPM", "CGPM": "CGPM"}
 # Of a scout. The wider parcels are, the less their cost tells of particles' (sscp1: by W = 64 a fifth too little), so no larger than need be.
 SCOUT_WEIGHTS = (8.0, 27.0, 64.0)
 MOST_PARCELS = 50000
-FEWEST_PARCELS = 1000  # of a scout: fewer are no bed
+FEWEST_PARCELS = 400  # of a scout: fewer are no bed
 WIDEST = 0.25  # of the vessel's smallest extent, of a parcel
 BETWEEN_SNAPSHOTS = 6  # gas steps
 NEVER = float("inf")
@@ -150,7 +151,7 @@ def like(own, other, name):
     """The `Calibration` `own` with the particles' cost beyond what was measured as that of `other`, of which `name` tells: cost_model.shaped. The gas's and the
     coupling's do not depend on the state of the bed: within 5 % over the start-up of sscp1."""
     paces = {**own.paces, "solids": cost_model.shaped(own.paces["solids"], other.paces["solids"])}
-    return dataclasses.replace(own, paces=paces, whence=f"{own.whence}, then as {name} to {other.reached:.3g} s")
+    return dataclasses.replace(own, paces=paces, reached=other.reached, whence=f"{own.whence}, then as {name} to {other.reached:.3g} s")
 
 
 def scout_weights(scene):

@@ -2,13 +2,15 @@
 """What a run will cost, by timings that are made up: rates, trends, what is taken from a cheaper method, exponents, the paper's ratios."""
 
 import math
+import os
 import unittest
 
 import numpy
 
-from interphase import cost_model
+from interphase import cost_model, cost_study
 from interphase.cost_model import Output, Pace
 from interphase.input_error import InputError
+from scratch import InFolder
 
 TIME = numpy.linspace(0.0, 0.1, 101)
 
@@ -91,6 +93,24 @@ class Sums(unittest.TestCase):
         power, error = cost_model.exponent(numpy.exp([0, 1, 2]), numpy.exp([0, 0, 1]))
         self.assertAlmostEqual(power, 0.5)
         self.assertAlmostEqual(error, math.sqrt(1 / 6 / 2))
+
+
+class Study(InFolder):
+    def test_the_table_tells_its_exponents(self):
+        """Every variant costs 2 s per sphere and second at the case's steps, W^-1.5, S^0.8, and as many times its N."""
+        def spent(point):
+            own = point.steps / (20 if point.method in ("DEM", "CGPM") else 1) if point.steps else 1
+            return {"solids": 2 * cost_study.COUNT * point.depth * point.weight**-1.5 * own**0.8, "gas": 9, "mapping": 4, "exchange": 2}
+
+        path = os.path.join(self.root, "cost-model.csv")
+        cost_study.write(path, {point: [(spent(point), 1000.0)] * 3 for point in cost_study.POINTS})
+        lines = "\n".join(cost_study.report(path))
+        for words in (r"W, DEM and CGPM +-1.50 \+- 0.00 +-1.5 +1, 2, 8, 27", r"W, MPPIC +-1.50", r"S, CGPM +0.80 \+- 0.00 +1 +10, 20, 40", r"S, CGHS +0.80", r"N, CGHS +1.00"):
+            self.assertRegex(lines, words)
+
+    def test_no_table(self):
+        with self.assertRaisesRegex(InputError, "no table of tools/bench cost-model"):
+            cost_study.read(os.path.join(self.root, "nowhere.csv"))
 
 
 if __name__ == "__main__":

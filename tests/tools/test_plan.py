@@ -73,7 +73,7 @@ class Scouts(unittest.TestCase):
     def test_parcels_are_many_and_narrow_yet_cheap(self):
         self.assertEqual(self.weights(95000, 3.256e-3, 0.0762)[0], 8)  # sscp1
         self.assertEqual(self.weights(17562, 1.545e-3, 0.008), [])  # a flat bed: parcels of 8 are 0.39 of its depth
-        self.assertEqual(self.weights(3000, 1e-3, 0.1), [])  # 375 parcels are no bed
+        self.assertEqual(self.weights(2000, 1e-3, 0.1), [])  # 250 parcels are no bed
         self.assertEqual(self.weights(1e6, 1e-3, 0.5)[0], 27)  # 125,000 parcels of 8 are dear
 
 

@@ -106,27 +106,34 @@ def measured(case, wanted, given, until, scratch):
 
 
 def with_scouts(done, calibration, given, until, measure):
-    """`done`, its costs of particles beyond what was measured as those of the method go that came furthest: of large parcels, which are cheap, a scout."""
-    scout = scout_of([each for each in done if each[0] in calibration.WITH_CONTACTS], calibration, given, until, measure)
-    if scout is None:
-        return done
-    name, furthest = scout
-    return [(method, weight, own, calibration.like(each, furthest, name)
-             if method in calibration.WITH_CONTACTS and furthest.reached > each.reached else each) for method, weight, own, each in done]  # fmt: skip
+    """`done`, its costs of particles beyond what was measured as those of large parcels of its kind go, which are cheap: scouts. The dearer scout, of springs,
+    itself goes on as that of hard spheres does where that came further."""
+    scouts = {}
+    for kind in ("CGHS", "CGPM"):
+        members = [each for each in done if calibration.SCOUT_OF.get(each[0]) == kind]
+        if members:
+            scouts[kind] = scout_of(kind, members, calibration, given, until, measure)
+    furthest = max(scouts.values(), key=lambda scout: scout[1].reached, default=None)
+    found = []
+    for method, weight, own, each in done:
+        name, scout = scouts.get(calibration.SCOUT_OF.get(method), (None, None))
+        for its, other in ((name, scout), furthest if name else (None, None)):
+            if other is not None and other.reached > each.reached:
+                each = calibration.like(each, other, its)
+        found.append((method, weight, own, each))
+    return found
 
 
-def scout_of(members, calibration, given, until, measure):
-    """(name, Calibration) of what went furthest among `members` and a scout; None where there are none, or each was measured to its end."""
-    if not members or all(each[3].reached >= ENOUGH * until for each in members):
-        return None
+def scout_of(kind, members, calibration, given, until, measure):
+    """(name, Calibration) of what went furthest among `members` and a scout, parcels of the method `kind`."""
     best = max(members, key=lambda each: each[3].reached)
-    named = f"{best[0]} W = {best[1]:g}", best[3]
-    for method in calibration.SCOUTS:
+    if best[3].reached < ENOUGH * until:
         for weight in calibration.scout_weights(module("plan_scene").of_run(best[3].run))[:1]:
             with contextlib.suppress(InputError, launch.StepFailed):  # not every case can have parcels, or of that weight
-                scout = measure(method, weight, SCOUTING * given.calibrate)[1]
-                return (f"{method} W = {weight:g}", scout) if scout.reached > best[3].reached else named
-    return named
+                scout = measure(kind, weight, SCOUTING * given.calibrate)[1]
+                if scout.reached > best[3].reached:
+                    return f"{kind} W = {weight:g}", scout
+    return f"{best[0]} W = {best[1]:g}", best[3]
 
 
 def planned_of(done, scene, until, ranks):
