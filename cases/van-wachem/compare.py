@@ -10,7 +10,7 @@
   deviation   the standard deviation; its error that of the mean square, autocorrelation taken in
   packing     of a run with next to no gas (inletVelocity below AT_REST), at its end: the solids' volume over that of the bed, twice its mean height
   U_mf        at which the drag law of the run carries a bed of that packing; of runs whose packing is stored
-  strongest   the frequency of the highest power density, Welch's segments of SEGMENT; in brackets where the density is not surely below that
+  strongest   the strongest frequency of the pressure with its standard error (interphase/spectrum.py)
 """
 
 import argparse
@@ -21,10 +21,11 @@ import os
 import sys
 
 import numpy
-from scipy import optimize, signal, stats
 
 from interphase import InputError, Run, parameters, tables
 from interphase.drag_laws import LAWS
+from interphase.fluidization import Grain
+from interphase.spectrum import spectrum, strongest_frequency
 from interphase.time_statistics import mean_with_error
 
 CASE = os.path.dirname(os.path.realpath(__file__))
@@ -32,8 +33,6 @@ STUDY = os.path.join(CASE, "study")
 COLUMN = 0.005  # [m]
 SHARE = 0.99
 AT_REST = 0.01  # [m/s]
-SEGMENT = 2.5  # [s]
-CERTAINTY = 0.95
 HIGHEST = 12.0  # Hz that are kept of spectra
 WIDTH, WALL_FRICTION = 0.09, "0.3"  # of the case as it is [m]
 MARKS = ("TDHS", "CGHS", "CGPM", "DEM")
@@ -42,8 +41,8 @@ SHOWN = ("DEM", "TDHS", "CGHS-2", "CGHS-8")  # of the stored runs, in the pictur
 AS_PACKING = ("W", "depth", "reach", "wall_friction", "method")  # runs alike in these have the packing of the one at rest; of methods, CGPM and DEM that of hard spheres
 PACKINGS = ("run", *AS_PACKING, "diameter_over_depth", "packing", "command", "commit")
 HARD = {"CGPM": "CGHS", "DEM": "TDHS"}
-FIELDS = ("run", "method", "W", "differs", "depth", "reach", "wall_friction", "velocity", "law", "from", "until", "diameter_over_depth", "deviation", "error", "doubt", "frequency", "frequency_low",
-          "frequency_high", "surface", "surface_error", "surface_deviation", "surface_deviation_error", "surface_frequency", "command", "commit")  # fmt: skip
+FIELDS = ("run", "method", "W", "differs", "depth", "reach", "wall_friction", "velocity", "law", "from", "until", "diameter_over_depth", "deviation", "error", "doubt", "frequency", "frequency_error",
+          "surface", "surface_error", "surface_deviation", "surface_deviation_error", "command", "commit")  # fmt: skip
 
 
 def measured(name):
@@ -77,31 +76,10 @@ def deviation(values):
     return root, square.error / (2 * root), square.reason
 
 
-def spectrum(times, values):
-    """(frequency, power density, its lower and upper limit at CERTAINTY) [n] each, one-sided, without frequency 0.
-
-    Hann's windows, half overlapping; of K of them the density has 36 K^2/(19 K - 1) degrees of freedom (P. D. Welch, IEEE Trans. Audio
-    Electroacoust. 15 (1967) 70). A record shorter than a segment is one.
-    """
-    rate = (len(times) - 1) / (times[-1] - times[0])
-    length = min(len(values), round(SEGMENT * rate))
-    step = length - length // 2
-    count = 1 + (len(values) - length) // step
-    frequency, power = signal.welch(values, rate, nperseg=length, nfft=4 * length)
-    freedom = 36 * count**2 / (19 * count - 1)
-    tail = (1 - CERTAINTY) / 2
-    kept = (frequency >= 0.999 / (length / rate)) & (frequency <= HIGHEST)
-    frequency, power = frequency[kept], power[kept]
-    return frequency, power, power * freedom / stats.chi2.ppf(1 - tail, freedom), power * freedom / stats.chi2.ppf(tail, freedom)
-
-
-def strongest(frequency, power, low, high):
-    """(frequency of the highest density, and the ends of the range around it where the density may be as high)."""
-    peak = int(numpy.argmax(power))
-    may = high >= power[peak]
-    first = peak - int(numpy.argmin(may[peak::-1])) + 1 if not may[:peak].all() else 0
-    last = peak + int(numpy.argmin(may[peak:])) - 1 if not may[peak:].all() else len(may) - 1
-    return frequency[peak], frequency[first], frequency[last]
+def density(times, values):
+    """(frequency, power density, its limits) [4, n] of a series up to HIGHEST."""
+    found = spectrum(times, values)
+    return numpy.array([found.frequency, found.power, found.low, found.high])[:, found.frequency <= HIGHEST]
 
 
 def command(record, until):
@@ -140,34 +118,25 @@ def measure(folder, since):
     values, row = scene(run, folder)
     seen = [each for each in run.snapshots if each.time >= since - 1e-9]
     heights = numpy.array([surface(each.positions, each.diameters, float(values["width"])) for each in seen])
-    times = numpy.array([each.time for each in seen])
     fluctuation = drop.values - drop.values.mean()
-    density = spectrum(drop.time, fluctuation)
-    at, low, high = strongest(*density)
+    strongest = strongest_frequency(drop.time, fluctuation)
     root, error, doubt = deviation(drop.values)
     mean, (swing, swing_error, _) = mean_with_error(heights), deviation(heights)
     until = round(float(drop.time[-1]), 3)
-    numbers = {"from": since, "until": until, "velocity": float(values["inletVelocity"]), "deviation": root, "error": error, "frequency": at, "frequency_low": low,
-               "frequency_high": high, "surface": mean.value, "surface_error": mean.error, "surface_deviation": swing, "surface_deviation_error": swing_error,
-               "surface_frequency": strongest(*spectrum(times, heights - heights.mean()))[0]}  # fmt: skip
+    numbers = {"from": since, "until": until, "velocity": float(values["inletVelocity"]), "deviation": root, "error": error, "frequency": strongest.value,
+               "frequency_error": strongest.error, "surface": mean.value, "surface_error": mean.error, "surface_deviation": swing,
+               "surface_deviation_error": swing_error}  # fmt: skip
     row.update({name: f"{number:.4g}" for name, number in numbers.items()}, law=values["dragLaw"], doubt=doubt, differs=" ".join(run.record["settings"]),
                command=command(run.record, until))
-    return row, density, (drop.time, fluctuation)
+    return row, density(drop.time, fluctuation), (drop.time, fluctuation)
 
 
 def minimum_fluidization(packing, law):
-    """U_mf [m/s] of this case's particles at a solid fraction: drag and pressure gradient carry their weight less buoyancy.
-
-    18 mu F U/(d^2 eps) = (rho_p - rho) g, from eq. 16 and beta = 18 mu eps (1 - eps) F/d^2 at the interstitial velocity U/eps.
-    """
+    """U_mf [m/s] of this case's particles at a solid fraction, by a drag law."""
     with open(os.path.join(CASE, parameters.PARAMETERS), encoding="utf-8") as file:
         value = parameters.values_of(file.read())
-    d, rho, mu, solid, g = (float(value[key]) for key in ("diameter", "gasDensity", "gasViscosity", "particleDensity", "gravity"))
-
-    def excess(velocity):
-        return 18 * mu * LAWS[law](1 - packing, rho * velocity * d / mu) * velocity / (d**2 * (1 - packing)) - (solid - rho) * g
-
-    return optimize.brentq(excess, 1e-6, 100)
+    grain = Grain(*(float(value[key]) for key in ("diameter", "particleDensity", "gasDensity", "gasViscosity", "gravity")))
+    return grain.minimum_fluidization(LAWS[law], 1 - packing)
 
 
 def fluidized(row, packings):
@@ -204,7 +173,7 @@ def keep(found):
     """What `measure` has found of several runs, into study/."""
     store("runs.csv", FIELDS, [row for row, _, _ in found])
     names = ("run", "frequency", "power", "low", "high")
-    store("spectra.csv", names, [dict(zip(names, (row["run"], *(f"{n:.4g}" for n in line)))) for row, density, _ in found for line in zip(*density)])
+    store("spectra.csv", names, [dict(zip(names, (row["run"], *(f"{n:.4g}" for n in line)))) for row, bands, _ in found for line in zip(*bands)])
     rows = []
     for row, _, (time, value) in found:
         last = numpy.flatnonzero(time >= time[-1] - KEPT)[::4]
@@ -215,13 +184,12 @@ def keep(found):
 def of_measurement():
     """The row of the measurement: its errors are those of a record of 2 to 3 s, some 15 %."""
     t, p = measured("pressure")
-    times, height = measured("height")
-    at, low, high = strongest(*spectrum(t, p - p.mean()))
+    _, height = measured("height")
+    strongest = strongest_frequency(t, p)
     row = dict.fromkeys(FIELDS, "")
-    row.update({"run": "measured", "deviation": f"{p.std():.3g}", "error": f"{0.15 * p.std():.2g}", "frequency": f"{at:.3g}", "frequency_low": f"{low:.3g}",
-                "frequency_high": f"{high:.3g}", "surface": f"{height.mean():.4g}", "surface_deviation": f"{height.std():.3g}",
-                "surface_deviation_error": f"{0.15 * height.std():.2g}",
-                "surface_frequency": f"{strongest(*spectrum(times, height - height.mean()))[0]:.3g}"})  # fmt: skip
+    row.update({"run": "measured", "deviation": f"{p.std():.3g}", "error": f"{0.15 * p.std():.2g}", "frequency": f"{strongest.value:.3g}",
+                "frequency_error": f"{strongest.error:.2g}", "surface": f"{height.mean():.4g}", "surface_deviation": f"{height.std():.3g}",
+                "surface_deviation_error": f"{0.15 * height.std():.2g}"})  # fmt: skip
     return row
 
 
@@ -237,7 +205,7 @@ def table(rows, packings):
             row["run"], row["differs"], row["until"], f"{float(row['diameter_over_depth']):.2f}" if row["diameter_over_depth"] else "",
             *((f"{packing[0]:.3f}", f"{float(row['velocity']) - packing[1]:.2f}") if packing else ("", "")),
             f"{float(row['deviation']):.0f} +- {float(row['error']):.0f}{'?' if row['doubt'] else ''}",
-            f"{float(row['frequency']):.1f} ({float(row['frequency_low']):.1f} to {float(row['frequency_high']):.1f})", pair, swing)))  # fmt: skip
+            f"{float(row['frequency']):.1f} +- {float(row['frequency_error']):.1f}", pair, swing)))  # fmt: skip
 
 
 def table_of_packings(packings):
@@ -265,7 +233,7 @@ def draw(rows, packings, path):
     shown = [name for name in SHOWN if any(row["run"] == name for row in rows)]
     t, p = measured("pressure")
     lines = {"measured": (t - t[0], p)}
-    densities = {"measured": spectrum(t, p - p.mean())}
+    densities = {"measured": density(t, p)}
     for name in shown:
         lines[name] = columns_of("pressures.csv", name, ("time", "pressure"))
         densities[name] = columns_of("spectra.csv", name, ("frequency", "power", "low", "high"))
@@ -275,8 +243,7 @@ def draw(rows, packings, path):
         curves.text(0.02, 190 - 450 * at, name, color=colour, fontsize=9)
         frequency, power, low, high = densities[name]
         spectra.plot(frequency, power, color=colour, lw=1.4, label=name)
-        if name != "measured":  # one segment: its limits would span two decades
-            spectra.fill_between(frequency, low, high, color=colour, alpha=0.15, lw=0)
+        spectra.fill_between(frequency, low, high, color=colour, alpha=0.15, lw=0)
     curves.set(xlabel="time [s]", ylabel="pressure less its mean, 45 mm above the floor [Pa]", xlim=(0, KEPT), yticks=[])
     curves.plot([2.95, 2.95], [150, 250], color="0.3", lw=3)
     curves.text(2.9, 170, "100 Pa", ha="right", fontsize=8)
