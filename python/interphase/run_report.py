@@ -11,9 +11,10 @@ from typing import Optional
 
 import numpy
 
-from interphase import bed_statistics, spectrum, time_statistics as statistics
+from interphase import bed_statistics, time_statistics as statistics
 from interphase.input_error import InputError
 from interphase.run import NO_PRESSURE_DROP
+from interphase.spectrum import COPIES, Spectrum, power_spectrum, strongest_frequency
 from interphase.statistical_comparison import uneven
 from interphase.time_statistics import Mean
 
@@ -75,7 +76,7 @@ class RunReport:
     rows: tuple = (0, math.nan, math.nan)
     needed: Optional[float] = None
     pressure: Optional[tuple] = None
-    spectrum: Optional[spectrum.Spectrum] = None
+    spectrum: Optional[Spectrum] = None
     notes: list = field(default_factory=list)
 
 
@@ -285,15 +286,15 @@ def _series(report, run, chosen):
             report.pressure = times, values[name]
             report.series.append(Quantity("pressure drop, deviation", "Pa", statistics.deviation_with_error(values[name])))
             if not spread:
-                report.spectrum = spectrum.spectrum(times, values[name])
+                report.spectrum = power_spectrum(times, values[name])
                 _strongest(report, times, values[name])
 
 
 def _strongest(report, times, values):
-    found = spectrum.strongest_frequency(times, values)
+    found = strongest_frequency(times, values)
     if found.reason:
         report.notes.append(f"strongest frequency of the pressure drop: {found.reason}")
         return
     whole = statistics.mean_with_error(values)
-    mean = dataclasses.replace(whole, value=found.value, error=found.error, freedom=float(spectrum.COPIES - 1))
+    mean = dataclasses.replace(whole, value=found.value, error=found.error, freedom=float(COPIES - 1))
     report.series.append(Quantity("pressure drop, strongest frequency", "Hz", mean))

@@ -59,7 +59,7 @@ def _interval(times):
     return (times[-1] - times[0]) / (len(times) - 1)
 
 
-def spectrum(times, values):
+def power_spectrum(times, values):
     """The `Spectrum` of a series [n] at evenly spaced `times` [s]; None below FEWEST_SAMPLES.
 
     D. J. Thomson's multitaper estimate (Proc. IEEE 70 (1982) 1055) with seven sine tapers (K. S. Riedel, A. Sidorenko, IEEE Trans.
