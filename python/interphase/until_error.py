@@ -73,7 +73,7 @@ def standing(wanted, series, settled):
     value, error = mean.value, mean.error
     known = f"{value:.6g} +- {error:.2g} {series.unit}, from {first:.4g} to {last:.4g} s"
     if mean.drifts:
-        return Standing(wanted, False, f"{known}; {mean.reason}: no length of the run helps while it does; look at the series, or leave the drift out "
+        return Standing(wanted, False, f"{known}; {mean.reason}: while that goes on no length of the run helps; look at the series, or leave the drift out "
                                        "by a later start (tools/report --from)")  # fmt: skip
     if mean.reason:
         return Standing(wanted, False, f"{known}; error not to be trusted: {mean.reason}", first + (last - first) * mean.longer)

@@ -124,8 +124,10 @@ class MeanAndItsError(unittest.TestCase):
         # 64 degrees of freedom: known to 18 %; two of these.
         self.assertAlmostEqual(mean.time / (0.5 * 1.9 / 0.1), 1, delta=0.36)
         self.assertAlmostEqual(mean.effective * 2 * mean.time / 100000, 1, delta=1e-9)
-        # A record of some hundreds of memories knows it to a tenth.
-        self.assertAlmostEqual(statistics.mean_with_error(correlated(numpy.random.default_rng(1), [0.9], 4000)).memory * -math.log(0.9), 1, delta=0.2)
+        # One record of 420 memories knows it to 30 % (22 degrees of freedom), 41 of them their median to 6; it is the larger of two estimates.
+        random = numpy.random.default_rng(1)
+        found = [statistics.mean_with_error(correlated(random, [0.9], 4000)).memory for _ in range(41)]
+        self.assertAlmostEqual(numpy.median(found) * -math.log(0.9), 1, delta=0.2)
 
     def test_too_short_or_drifting_is_said(self):
         random = numpy.random.default_rng(2)
