@@ -11,30 +11,37 @@ enum class Phase { solids, gas, mapping, exchange, output, waiting, setup };
 constexpr std::array<std::string_view, 7> phase_names{"solids", "gas",     "mapping", "exchange",
                                                       "output", "waiting", "setup"};
 
-/// Shares a rank's wall-clock time out among the phases of the run: at any moment exactly one phase runs.
+/// Shares a rank's time out among the phases of the run, by the wall clock and by what its processor gave it: at any
+/// moment exactly one phase runs.
 class Stopwatch {
 public:
-    explicit Stopwatch(Phase first) : phase_(first), since_(now()) {}
+    explicit Stopwatch(Phase first) : phase_(first), since_(now()), processor_since_(processor_now()) {}
 
     void switch_to(Phase phase)
     {
-        const double time = now();
+        const double time = now(), processor = processor_now();
         seconds_[static_cast<std::size_t>(phase_)] += time - since_;
+        processor_[static_cast<std::size_t>(phase_)] += processor - processor_since_;
         since_ = time;
+        processor_since_ = processor;
         phase_ = phase;
     }
 
     Phase current() const { return phase_; }
 
-    /// Up to the last switch.
+    /// By the wall clock, up to the last switch.
     double seconds(Phase phase) const { return seconds_[static_cast<std::size_t>(phase)]; }
+
+    /// Of the processor, up to the last switch. Waiting for other ranks is work to it.
+    double processor_seconds(Phase phase) const { return processor_[static_cast<std::size_t>(phase)]; }
 
 private:
     static double now();
+    static double processor_now();
 
     Phase phase_;
-    double since_;
-    std::array<double, phase_names.size()> seconds_{};
+    double since_, processor_since_;
+    std::array<double, phase_names.size()> seconds_{}, processor_{};
 };
 
 }  // namespace interphase

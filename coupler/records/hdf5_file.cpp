@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "records/hdf5_file.hpp"
 
+#include <algorithm>
+
 #include "records/unwritten.hpp"
 
 namespace interphase {
@@ -8,6 +10,27 @@ namespace interphase {
 namespace {
 
 constexpr hsize_t rows_per_chunk = 256;  // a chunk is written whole whenever it has grown
+constexpr hsize_t numbers_per_chunk = 8192;
+
+hsize_t rows_of_chunk(std::size_t width)
+{
+    return width == 0 ? rows_per_chunk : std::clamp<hsize_t>(numbers_per_chunk / width, 1, rows_per_chunk);
+}
+
+std::vector<hsize_t> shape_of(hsize_t rows, std::size_t width)
+{
+    if (width == 0) return {rows};
+    return {rows, width};
+}
+
+/// Of a data set of one or two dimensions.
+std::vector<hsize_t> shape_of(hid_t data_set)
+{
+    const Hdf5Handle space(H5Dget_space(data_set), H5Sclose, "a data space");
+    std::vector<hsize_t> shape(static_cast<std::size_t>(std::max(1, H5Sget_simple_extent_ndims(space))));
+    H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+    return shape;
+}
 
 Hdf5Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose, "a property list"}; }
 
@@ -144,12 +167,18 @@ double Hdf5File::number_attribute(const std::string& path, const std::string& na
     return value;
 }
 
-void Hdf5File::make_column(const std::string& path, const std::string& unit)
+void Hdf5File::make_column(const std::string& path, const std::string& unit, std::size_t width)
 {
-    const hsize_t none = 0, unlimited = H5S_UNLIMITED;
-    const Hdf5Handle shape(H5Screate_simple(1, &none, &unlimited), H5Sclose, "a data space");
+    const std::vector<hsize_t> none = shape_of(0, width), unlimited = shape_of(H5S_UNLIMITED, width);
+    const Hdf5Handle shape(H5Screate_simple(static_cast<int>(none.size()), none.data(), unlimited.data()), H5Sclose,
+                           "a data space");
     const Hdf5Handle creation = property_list(H5P_DATASET_CREATE);
-    H5Pset_chunk(creation, 1, &rows_per_chunk);
+    const std::vector<hsize_t> chunk = shape_of(rows_of_chunk(width), width);
+    H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data());
+    if (width > 0) {
+        H5Pset_shuffle(creation);
+        H5Pset_deflate(creation, 1);
+    }
     const Hdf5Handle made(
         H5Dcreate2(file_, path.c_str(), H5T_NATIVE_DOUBLE, shape, with_parent_groups(), creation, H5P_DEFAULT),
         H5Dclose, path);
@@ -161,23 +190,28 @@ Hdf5File::Column& Hdf5File::column(const std::string& path)
     const auto found = columns_.find(path);
     if (found != columns_.end()) return found->second;
     Hdf5Handle data_set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, path);
-    hsize_t rows = 0;
-    const Hdf5Handle shape(H5Dget_space(data_set), H5Sclose, "a data space");
-    H5Sget_simple_extent_dims(shape, &rows, nullptr);
-    return columns_.emplace(path, Column{std::move(data_set), rows, {}}).first->second;
+    const std::vector<hsize_t> shape = shape_of(data_set);
+    const std::size_t width = shape.size() > 1 ? shape[1] : 0;
+    return columns_.emplace(path, Column{std::move(data_set), shape[0], width, {}}).first->second;
 }
 
 std::size_t Hdf5File::length(const std::string& path)
 {
     if (columns_.find(path) == columns_.end() && !there(file_, path)) return 0;
     const Column& found = column(path);
-    return found.rows + found.waiting.size();
+    return found.rows + found.rows_waiting();
 }
 
-void Hdf5File::append(const std::string& path, const std::string& unit, const std::vector<double>& values)
+void Hdf5File::append(const std::string& path, const std::string& unit, const std::vector<double>& values,
+                      std::size_t width)
 {
-    if (columns_.find(path) == columns_.end() && !there(file_, path)) make_column(path, unit);
-    append(column(path), values);
+    if (columns_.find(path) == columns_.end() && !there(file_, path)) make_column(path, unit, width);
+    Column& to = column(path);
+    if (to.width != width)
+        throw UserError(path + " has rows of " + std::to_string(to.width) + " numbers, and now " +
+                            std::to_string(width) + " are to be added",
+                        "results.h5", "start anew, without -resume, or ask for as many as the run before did");
+    append(to, values);
 }
 
 void Hdf5File::remember(const std::string& group, const std::vector<std::string>& paths)
@@ -203,11 +237,12 @@ void Hdf5File::append(Column& to, const std::vector<double>& values)
 void Hdf5File::write_waiting(const std::string& path, Column& of)
 {
     if (of.waiting.empty()) return;
-    const hsize_t added = of.waiting.size(), count = of.rows + added;
-    demand(H5Dset_extent(of.data_set, &count), path);
+    const hsize_t added = of.rows_waiting(), count = of.rows + added;
+    demand(H5Dset_extent(of.data_set, shape_of(count, of.width).data()), path);
     const Hdf5Handle target(H5Dget_space(of.data_set), H5Sclose, "a data space");
-    H5Sselect_hyperslab(target, H5S_SELECT_SET, &of.rows, nullptr, &added, nullptr);
-    demand(H5Dwrite(of.data_set, H5T_NATIVE_DOUBLE, space({added}), target, H5P_DEFAULT, of.waiting.data()), path);
+    const std::vector<hsize_t> start{of.rows, 0}, shape = shape_of(added, of.width);
+    H5Sselect_hyperslab(target, H5S_SELECT_SET, start.data(), nullptr, shape.data(), nullptr);
+    demand(H5Dwrite(of.data_set, H5T_NATIVE_DOUBLE, space(shape), target, H5P_DEFAULT, of.waiting.data()), path);
     of.rows = count;
     of.waiting.clear();
 }
@@ -221,18 +256,14 @@ void Hdf5File::write_waiting(const std::string& path)
 void Hdf5File::write_rows(const std::string& path, const std::string& unit, hid_t type, const void* data,
                           std::size_t rows, std::size_t columns, std::size_t first_row, std::size_t all_rows)
 {
-    const auto shape_of = [columns](std::size_t n) {
-        std::vector<hsize_t> shape{n};
-        if (columns > 1) shape.push_back(columns);
-        return shape;
-    };
-    const Hdf5Handle data_set(H5Dcreate2(file_, path.c_str(), type, space(shape_of(all_rows)), with_parent_groups(),
-                                         H5P_DEFAULT, H5P_DEFAULT),
+    const std::size_t width = columns > 1 ? columns : 0;
+    const Hdf5Handle data_set(H5Dcreate2(file_, path.c_str(), type, space(shape_of(all_rows, width)),
+                                         with_parent_groups(), H5P_DEFAULT, H5P_DEFAULT),
                               H5Dclose, path);
     write_unit(data_set, unit);
     if (all_rows == 0) return;  // HDF5 refuses to write nothing
     const Hdf5Handle target(H5Dget_space(data_set), H5Sclose, "a data space");
-    const Hdf5Handle source = space(shape_of(rows));
+    const Hdf5Handle source = space(shape_of(rows, width));
     if (rows > 0) {
         const std::vector<hsize_t> start{first_row, 0}, count{rows, columns};
         H5Sselect_hyperslab(target, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);
@@ -293,9 +324,10 @@ void Hdf5File::shorten(const std::string& path, std::size_t rows)
     write_waiting(path);
     remembered_.clear();
     columns_.erase(path);
-    const hsize_t count = rows;
     const Hdf5Handle data_set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, path);
-    demand(H5Dset_extent(data_set, &count), path);
+    std::vector<hsize_t> shape = shape_of(data_set);
+    shape[0] = rows;
+    demand(H5Dset_extent(data_set, shape.data()), path);
 }
 
 void Hdf5File::remove(const std::string& path) { demand(H5Ldelete(file_, path.c_str(), H5P_DEFAULT), path); }

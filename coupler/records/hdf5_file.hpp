@@ -3,6 +3,7 @@
 
 #include <hdf5.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -53,9 +54,11 @@ public:
     /// An attribute with one number.
     double number_attribute(const std::string& object, const std::string& name);
 
-    /// Appends to a one-dimensional data set of doubles, made with its unit where it is missing: in the file with the
-    /// next flush().
-    void append(const std::string& path, const std::string& unit, const std::vector<double>& values);
+    /// Appends to a data set of doubles, made with its unit where it is missing: in the file with the next flush().
+    /// With `width` 0 it is one-dimensional, else [rows, width], compressed. Throws a UserError where it has another
+    /// width.
+    void append(const std::string& path, const std::string& unit, const std::vector<double>& values,
+                std::size_t width = 0);
 
     /// Remembers data sets that append() has made longer, in this order: append_to() makes all of them longer again, by
     /// one of `values` each, without looking for them by name.
@@ -80,7 +83,10 @@ public:
     /// How many rows a data set has; 0 where there is none.
     std::size_t length(const std::string& path);
 
-    /// The numbers of a one-dimensional data set; none where there is no such data set.
+    /// The width of a data set that append() has made.
+    std::size_t width(const std::string& path) { return column(path).width; }
+
+    /// The numbers of a data set, row by row; none where there is no such data set.
     std::vector<double> numbers(const std::string& path);
 
     /// Takes what append() has added after the first `rows`.
@@ -98,9 +104,11 @@ private:
     /// A data set that append() makes longer; left open, since opening takes longer than appending.
     struct Column {
         Hdf5Handle data_set;
-        hsize_t rows;  ///< in the file
+        hsize_t rows;       ///< in the file
+        std::size_t width;  ///< 0: one-dimensional
         std::vector<double>
             waiting;  ///< rows for flush(), which writes them at once, however often append() was called
+        hsize_t rows_waiting() const { return waiting.size() / std::max<std::size_t>(1, width); }
     };
 
     Hdf5Handle object(const std::string& path);
@@ -108,7 +116,7 @@ private:
     static void write_waiting(const std::string& path, Column& of);
     void write_waiting(const std::string& path);
     Column& column(const std::string& path);
-    void make_column(const std::string& path, const std::string& unit);
+    void make_column(const std::string& path, const std::string& unit, std::size_t width);
 
     Hdf5Handle file_;
     bool collective_;

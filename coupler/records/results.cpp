@@ -38,6 +38,23 @@ void Results::add_row(const std::string& group, const std::vector<Entry>& row)
     rows_wait_ = true;
 }
 
+void Results::add_row(const std::string& group, const Row& row)
+{
+    if (!file_) return;
+    std::vector<ColumnRows>& table = tables_[group];
+    if (table.empty())
+        table = row.columns();
+    else
+        for (std::size_t n = 0; n < table.size(); ++n)
+            table[n].rows.insert(table[n].rows.end(), row.columns()[n].rows.begin(), row.columns()[n].rows.end());
+    rows_wait_ = true;
+}
+
+void Results::describe(const std::string& group, const std::string& name, const Scalars& values)
+{
+    if (file_) file_->change([=](Hdf5File& file) { file.set_attribute(group, name, values, {values.size()}); });
+}
+
 void Results::describe(const std::string& group, const std::string& name, const std::string& value)
 {
     if (file_) file_->change([=](Hdf5File& file) { file.set_attribute(group, name, value); });

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/communicator.hpp"
+#include "base/vector.hpp"
 #include "records/tables.hpp"
 #include "records/twin_file.hpp"
 
@@ -32,8 +33,28 @@ public:
     /// Adds a row to the table, e.g. "/series". Every row of a table has the same entries, in the same order.
     void add_row(const std::string& group, const std::vector<Entry>& row);
 
+    /// A row with columns of several numbers, [n, width] in the file: for what is seldom taken.
+    class Row {
+    public:
+        void add(std::string name, std::string unit, double value)
+        {
+            columns_.push_back({std::move(name), std::move(unit), {value}});
+        }
+        /// At least one number, always as many.
+        void add(std::string name, std::string unit, const Scalars& values)
+        {
+            columns_.push_back({std::move(name), std::move(unit), values, values.size()});
+        }
+        const std::vector<ColumnRows>& columns() const { return columns_; }
+
+    private:
+        std::vector<ColumnRows> columns_;
+    };
+    void add_row(const std::string& group, const Row& row);
+
     void describe(const std::string& group, const std::string& name, const std::string& value);
     void describe(const std::string& group, const std::string& name, double value);
+    void describe(const std::string& group, const std::string& name, const Scalars& values);
     void describe_box(const std::string& group, const std::string& name, const Box& box);
 
     /// A text as a data set of its own, e.g. "/meta/inputs/system/controlDict", which can be described like a group.

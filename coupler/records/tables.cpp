@@ -8,12 +8,12 @@ namespace interphase {
 
 namespace {
 
-void fill_up(Hdf5File& file, const std::string& path, const std::string& unit, std::size_t rows)
+void fill_up(Hdf5File& file, const std::string& path, const std::string& unit, std::size_t rows, std::size_t width)
 {
     const std::size_t there = file.length(path);
     if (there >= rows) return;
     constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-    file.append(path, unit, std::vector<double>(rows - there, nothing));
+    file.append(path, unit, std::vector<double>((rows - there) * std::max<std::size_t>(1, width), nothing), width);
 }
 
 }  // namespace
@@ -31,13 +31,13 @@ void append_rows(Hdf5File& file, const std::string& group, const std::vector<Col
     for (const std::string& name : names)
         rows = std::max(rows, file.length(group + "/" + name));
     for (const ColumnRows& column : columns) {
-        fill_up(file, group + "/" + column.name, column.unit, rows);
-        file.append(group + "/" + column.name, column.unit, column.rows);
+        fill_up(file, group + "/" + column.name, column.unit, rows, column.width);
+        file.append(group + "/" + column.name, column.unit, column.rows, column.width);
     }
     if (columns.empty()) return;
-    rows += columns.front().rows.size();
+    rows += columns.front().count();
     for (const std::string& name : names)
-        fill_up(file, group + "/" + name, "", rows);
+        fill_up(file, group + "/" + name, "", rows, file.width(group + "/" + name));
     if (file.names_in(group).size() != columns.size()) return;  // others have to be filled up each time
     std::vector<std::string> paths;
     for (const ColumnRows& column : columns)

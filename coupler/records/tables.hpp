@@ -8,10 +8,13 @@
 
 namespace interphase {
 
-/// A column's new rows.
+/// A column's new rows: a number each, or `width` numbers each, one row after the other.
 struct ColumnRows {
     std::string name, unit;
     std::vector<double> rows;
+    std::size_t width = 0;  ///< 0: one-dimensional
+
+    std::size_t count() const { return width == 0 ? rows.size() : rows.size() / width; }
 };
 
 /// Adds rows to the table `group`: data sets of equal length, of which one is called "time". `columns` are of equal

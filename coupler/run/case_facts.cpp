@@ -200,12 +200,18 @@ bool may_change(const std::string& name)
         "endTime",      "graphFormat", "libs",          "purgeWrite",    "runTimeModifiable",
         "startFrom",    "stopAt",      "timeFormat",    "timePrecision", "writeCompression",
         "writeControl", "writeFormat", "writeInterval", "writePrecision"};
+    // the others say what a row holds
+    static const std::set<std::string> of_statistics{"statistics/interval",     "statistics/tapInterval",
+                                                     "statistics/from",         "statistics/overlaps/percentiles",
+                                                     "statistics/voidage/low",  "statistics/voidage/high",
+                                                     "statistics/voidage/cells"};
     const std::size_t comma = name.find(", ");
     const std::string file = name.substr(0, comma), entry = comma == std::string::npos ? "" : name.substr(comma + 2);
     if (starts_with(file, "system/") && of_tools.count(file.substr(7)) > 0) return true;
     if (file == "system/controlDict") return of_control.count(entry) > 0 || starts_with(entry, "functions");
     if (file == "system/couplingDict")
-        return starts_with(entry, "records") || starts_with(entry, "checkpoint") || entry == "plugins";
+        return starts_with(entry, "records") || starts_with(entry, "checkpoint") || entry == "plugins" ||
+               of_statistics.count(entry) > 0;
     return false;
 }
 

@@ -62,7 +62,7 @@ CoupledRun::CoupledRun(GasCase& gas_case, const MakeParticleEngine& make_particl
         without_gas_.emplace(comm_, settings_);
     if (!kept_) make_way_for_checkpoints(options.overwrites);
     records_.emplace(RunRecords::Scene{comm_, settings_, case_, *solids_, gas_.get(), coupling_.get(),
-                                       without_gas_ ? &*without_gas_ : nullptr, at_start_},
+                                       without_gas_ ? &*without_gas_ : nullptr, at_start_, processor_},
                      kept_ ? std::optional(kept_->time) : std::nullopt);
     describe_run();
     tell_warnings();

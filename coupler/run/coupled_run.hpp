@@ -12,6 +12,7 @@
 #include "run/lockstep_clock.hpp"
 #include "run/particle_engine.hpp"
 #include "run/population.hpp"
+#include "run/processor_time.hpp"
 #include "run/report.hpp"
 #include "run/run_options.hpp"
 #include "run/run_records.hpp"
@@ -66,6 +67,7 @@ private:
 
     Communicator comm_;
     Stopwatch stopwatch_{Phase::setup};
+    ProcessorTime processor_{comm_, stopwatch_};
     GasCase& case_;
     Settings settings_;
     std::unique_ptr<CaseGas> gas_;

@@ -116,6 +116,7 @@ void CoupledRun::go_on()
     tell(solids_->memories_lost(), settings_.script);
     tell(case_.sums_lost(), "system/controlDict, functions,");
     kept_->state.keep("spent", spent_before_);
+    kept_->state.keep("processor", processor_);
     report_.warn("the run goes on from " + kept_->path + "; what an earlier part of it recorded after t = " +
                  text(kept_->time) + " s makes way for what comes now");
     report_.go_on_from(kept_->time);
@@ -153,6 +154,7 @@ void CoupledRun::write_checkpoint(CheckpointSchedule::Due why)
     keep(saved);
     SpentTime spent = spent_before_.with(comm_, stopwatch_, report_.wall_seconds());
     saved.keep("spent", spent);
+    saved.keep("processor", processor_);
     const std::optional<Problem> problem = checkpoints_.write(case_.time(), saved, facts_);
     if (problem) report_.warn(problem->message());
     if (why != CheckpointSchedule::Due::by_time) return;

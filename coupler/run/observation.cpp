@@ -71,8 +71,8 @@ Observation observe(const Communicator& comm, Solids& solids, const CaseGas* gas
     of_gas.highest_voidage = comm.max(most);
     of_gas.courant_number = gas->courant_number();
     of_gas.bed_weight = weight_per_area(*gas, sums[0]);
-    if (pressure_taps.size() == 2)
-        of_gas.pressure_drop = gas->pressure_at(pressure_taps[0]) - gas->pressure_at(pressure_taps[1]);
+    if (pressure_taps.size() >= 2)
+        of_gas.pressure_drop = gas->pressure_at(pressure_taps[0]) - gas->pressure_at(pressure_taps.back());
     return seen;
 }
 

@@ -19,7 +19,7 @@ struct Observation {
     double vertical_velocity = 0;  ///< mass average, against gravity [m/s]
 
     struct OfGas {
-        std::optional<double> pressure_drop;  ///< first tap less second [Pa]; none without taps
+        std::optional<double> pressure_drop;  ///< first tap less last [Pa]; none without taps
         double bed_weight = 0;                ///< of all particles, over the vessel's mean cross-section [Pa]
         double lowest_voidage = 1;
         double highest_voidage = 1;
@@ -35,7 +35,7 @@ struct Observation {
 /// gravity. Collective.
 double weight_per_area(const CaseGas& gas, double mass);
 
-/// `gas` may be null; `pressure_taps` are two points of its mesh, or none. Collective.
+/// `gas` may be null; `pressure_taps` are two points of its mesh or more, or none. Collective.
 Observation observe(const Communicator& comm, Solids& solids, const CaseGas* gas, const Scalars& voidage,
                     const std::vector<Vector>& pressure_taps);
 

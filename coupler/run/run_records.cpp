@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/run_records.hpp"
 
+#include <sys/resource.h>
+
 #include <filesystem>
 
 #include "base/disk_room.hpp"
@@ -27,6 +29,15 @@ void add_passages(std::vector<Results::Entry>& row, const PopulationTotals& tota
         for (std::size_t axis = 0; axis < 3; ++axis)
             row.push_back({key, "kg m/s", passage.momentum[axis], momentum_of_axis[axis]});
     });
+}
+
+/// Of this rank so far [bytes].
+double peak_memory()
+{
+    constexpr double bytes_per_unit = 1024;  // Linux counts in kilobytes
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return bytes_per_unit * static_cast<double>(usage.ru_maxrss);
 }
 
 ParticleRows rows_of(const ParticleView& particles)
@@ -64,11 +75,18 @@ RunRecords::RunRecords(const Scene& scene, std::optional<double> goes_on_from)
 {
     if (scene.settings.snapshot_interval > 0)
         own_snapshots_.emplace(scene.gas_case.time(), scene.settings.snapshot_interval);
+    const StatisticsSettings& statistics = scene.settings.statistics;
+    if (statistics.tap_interval > 0 && scene.gas) taps_.emplace(scene.gas_case.time(), statistics.tap_interval);
+    if (statistics.interval == 0) return;
+    samples_.emplace(scene.gas_case.time(), statistics.interval);
+    const Box bounds = scene.gas ? scene.gas->bounds() : empty_box();
+    statistics_.emplace(scene.comm, statistics, scene.solids, scene.gas ? &scene.gas->mesh() : nullptr,
+                        scene.gas ? &bounds : nullptr);
 }
 
 void RunRecords::describe(double solid_step, double gas_step)
 {
-    const auto& [comm, settings, gas_case, solids, gas, coupling, without_gas, at_start] = scene_;
+    const auto& [comm, settings, gas_case, solids, gas, coupling, without_gas, at_start, processor] = scene_;
     results_.describe("/meta", "case", gas_case.name());
     results_.describe("/meta", "method", name_of(settings.method));
     results_.describe("/meta", "plugins", solids.plugins());
@@ -76,19 +94,35 @@ void RunRecords::describe(double solid_step, double gas_step)
     results_.describe("/meta", "particles_at_start", static_cast<double>(at_start.tracked));
     describe_population();
     results_.describe("/meta", "solid_step", solid_step);
+    if (const std::optional<double> contact = solids.contact_duration())
+        results_.describe("/meta", "contact_duration", *contact);
     results_.describe("/meta", "gas_step", gas_step);
     results_.describe("/meta", "drag_law", settings.drag_law);
     const Version version = this_version();
     results_.describe("/meta", "versions",
                       name_and_number(version) + ", " + solids.version() + ", " + gas_case.engine());
     if (comm.is_master()) record_provenance(results_, version, case_inputs(".", settings.script, settings.variables));
-    if (gas) results_.describe_box("/meta", "domain", gas->bounds());
+    if (gas) {
+        results_.describe_box("/meta", "domain", gas->bounds());
+        results_.describe("/meta", "gas_volume", gas->total_volume());
+        results_.describe("/meta", "gravity", gas->gravity().norm());
+        const GasProperty density = gas->density(), viscosity = gas->viscosity();
+        if (!density.varies()) results_.describe("/meta", "gas_density", density.uniform);
+        if (!viscosity.varies()) results_.describe("/meta", "gas_viscosity", viscosity.uniform);
+    }
+    if (statistics_) statistics_->describe(results_);
+    if (taps_) {
+        Scalars places;
+        for (const Vector& tap : settings.pressure_taps)
+            places.insert(places.end(), tap.data(), tap.data() + 3);
+        results_.describe("/taps", "places", places);
+    }
     results_.add_row("/parts", {{"time", "s", gas_case.time()}, {"ranks", "1", static_cast<double>(comm.size())}});
 }
 
 void RunRecords::describe_population()
 {
-    const auto& [comm, settings, gas_case, solids, gas, coupling, without_gas, at_start] = scene_;
+    const auto& [comm, settings, gas_case, solids, gas, coupling, without_gas, at_start, processor] = scene_;
     const ParticleView particles = solids.particles();
     Population now = counted(comm, particles);
     if (now.tracked == 0) now = {0, 0, at_start.lowest_weight, at_start.highest_weight, 0, 0};
@@ -135,9 +169,13 @@ void RunRecords::record(const Moment& moment)
         const PopulationTotals& totals = came_and_went();
         last_seen_.came = totals.came();
         last_seen_.went = totals.went();
-        if (row_due) results_.add_row("/series", last_seen_.row(now));
+        if (row_due) {
+            results_.add_row("/series", last_seen_.row(now));
+            add_processor_time_row();
+        }
     }
     rows_.pass(now, moment.gas_step);
+    take_statistics(moment);
 
     const bool write_due = gas_case.write_due() || moment.at_end;
     const bool snapshot_due = own_snapshots_ ? own_snapshots_->due(now, moment.gas_step) : write_due;
@@ -155,6 +193,41 @@ void RunRecords::record(const Moment& moment)
         results_.flush();
     }
     refuse_full_disk();
+}
+
+void RunRecords::add_processor_time_row()
+{
+    const Scalars seconds = scene_.processor.seconds();
+    std::vector<Results::Entry> row{{"time", "s", scene_.gas_case.time()}};
+    for (std::size_t phase = 0; phase < phase_names.size(); ++phase)
+        row.push_back({phase_names[phase].data(), "s", seconds[phase]});
+    results_.add_row("/processor_time", row);
+}
+
+void RunRecords::take_statistics(const Moment& moment)
+{
+    const double now = scene_.gas_case.time();
+    if (taps_) {
+        if (taps_->due(now, moment.gas_step)) add_tap_row();
+        taps_->pass(now, moment.gas_step);
+    }
+    if (!samples_) return;
+    if (samples_->due(now, moment.gas_step)) {
+        if (moment.at_start && scene_.coupling) scene_.coupling->look_at_start();
+        statistics_->sample(now, scene_.coupling ? scene_.coupling->voidage() : Scalars{}, results_);
+    }
+    samples_->pass(now, moment.gas_step);
+}
+
+void RunRecords::add_tap_row()
+{
+    Results::Row row;
+    row.add("time", "s", scene_.gas_case.time());
+    Scalars pressures;
+    for (const Vector& tap : scene_.settings.pressure_taps)
+        pressures.push_back(scene_.gas->pressure_at(tap));
+    row.add("pressure", "Pa", pressures);
+    results_.add_row("/taps", row);
 }
 
 void RunRecords::flush()
@@ -194,6 +267,8 @@ void RunRecords::describe_end(const Ending& ending)
     for (const Count& count : ending.warnings)
         results_.describe("/meta", count.kind->key, static_cast<double>(count.number));
     describe_population();
+    results_.describe("/meta", "peak_memory", scene_.comm.sum(peak_memory()));
+    if (statistics_) results_.describe("/statistics", "wall_time", scene_.comm.max(statistics_->seconds()));
     results_.describe("/meta", "wall_time", ending.spent.wall);
     flush();
 }
@@ -202,6 +277,12 @@ void RunRecords::keep(Archive& archive)
 {
     archive.keep("rows", rows_);
     if (own_snapshots_) archive.keep("snapshots", *own_snapshots_);
+    if (taps_) archive.within("taps", [&] { taps_->keep(archive); });
+    if (!samples_) return;
+    archive.within("samples", [&] { samples_->keep(archive); });
+    archive.within("statistics", [&] {
+        if (!archive.loads() || archive.has("scene/columns")) statistics_->keep(archive);
+    });
 }
 
 }  // namespace interphase

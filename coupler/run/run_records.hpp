@@ -16,8 +16,10 @@
 #include "run/observation.hpp"
 #include "run/particle_engine.hpp"
 #include "run/population.hpp"
+#include "run/processor_time.hpp"
 #include "run/record_schedule.hpp"
 #include "run/spent_time.hpp"
+#include "statistics/statistics.hpp"
 #include "step/coupling_step.hpp"
 
 namespace interphase {
@@ -36,6 +38,7 @@ public:
         CouplingStep* coupling;
         PopulationWatch* without_gas;
         const Population& at_start;
+        const ProcessorTime& processor;
     };
 
     /// Replaces earlier records, or goes on behind those up to `goes_on_from` [s].
@@ -78,6 +81,9 @@ public:
 
 private:
     void describe_population();
+    void add_processor_time_row();
+    void take_statistics(const Moment& moment);
+    void add_tap_row();
     Problem full_disk() const;
     void refuse_full_disk() const;
 
@@ -86,6 +92,8 @@ private:
     ParticleSnapshots snapshots_;
     RecordSchedule rows_;
     std::optional<RecordSchedule> own_snapshots_;  ///< where snapshots do not follow the fields
+    std::optional<Statistics> statistics_;         ///< where they are asked for, as are the next two
+    std::optional<RecordSchedule> samples_, taps_;
     Observation last_seen_;
 };
 

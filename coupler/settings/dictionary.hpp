@@ -34,6 +34,9 @@ public:
     virtual std::string written(const std::string& key) const = 0;
     /// File, block and line of a key; without the line where it is not there.
     virtual std::string place(const std::string& key) const = 0;
+
+    /// (1 2.5 3).
+    virtual std::optional<Scalars> numbers(const std::string& key) const = 0;
 };
 
 }  // namespace interphase

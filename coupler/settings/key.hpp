@@ -21,9 +21,11 @@ struct Range {
     std::function<bool(double)> holds;
 };
 
+Range any_number();
 Range above(double limit);
 Range at_least(double limit);
 Range between(double low, double high);  ///< without the two
+Range from_to(double low, double high);  ///< with them
 
 /// What a user may want to know of a key.
 struct KeyDescription {

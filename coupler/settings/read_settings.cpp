@@ -4,6 +4,7 @@
 #include "base/text.hpp"
 #include "forces/drag/drag_law.hpp"
 #include "forces/terms.hpp"
+#include "settings/read_statistics.hpp"
 #include "settings/reader.hpp"
 
 namespace interphase {
@@ -94,13 +95,12 @@ void read_particles(Reader& dict, Settings& settings, const std::filesystem::pat
                              "correct the name, or put the script there");
     dict.own_entries({"variables", "handed to the script as LIGGGHTS variables, with `weight`"}, settings.variables);
     read_solid_step(dict, settings);
-    constexpr double any = 1e15;
     dict.number(
         {"stepAtTimeZero",
          "the step that LIGGGHTS counts at the gas's time 0, for a start at a later time by read_restart: of a bed "
          "that a run without gas had made, or steps that were longer or shorter before",
          "", "0", "a step's number"},
-        settings.step_at_time_zero, at_least(-any));
+        settings.step_at_time_zero, any_number());
 }
 
 void read_gas(Reader& dict, Settings& settings)
@@ -156,11 +156,11 @@ void read_records(Reader& dict, Settings& settings)
     dict.number({"snapshotInterval", "time between two snapshots of the particles", "s", "when the gas is written"},
                 settings.snapshot_interval, above(0));
     dict.points({"pressureTaps",
-                 "the pressure of the first less that of the second is recorded: /series/pressure_drop, which "
+                 "the pressure of the first less that of the last is recorded: /series/pressure_drop, which "
                  "there is only then",
                  "m", "none"},
                 settings.pressure_taps, 2,
-                "give two points: the pressure of the first less that of the second is recorded");
+                "give two points or more: the pressure of the first less that of the last is recorded");
 }
 
 void read_checkpoint(Reader& dict, Settings& settings)
@@ -193,6 +193,15 @@ void read_all(Reader& dict, Settings& settings, const std::filesystem::path& fol
                 settings.outside_mesh, {{"stop", OutsideMesh::stop}, {"ignore", OutsideMesh::ignore}});
     dict.block({"records", "what is written to results.h5 and particles.h5"},
                [&](Reader& block) { read_records(block, settings); });
+    dict.block({"statistics",
+                "taken in the run, rows of /statistics in results.h5, from which tools/report makes means and errors; "
+                "x goes across, y is the depth from the front wall on, z is up"},
+               [&](Reader& block) { read_statistics(block, settings.statistics); });
+    if (settings.statistics.tap_interval > 0 && settings.pressure_taps.empty())
+        throw dict.complaint("statistics",
+                             "`tapInterval " + text(settings.statistics.tap_interval) +
+                                 ";` without records.pressureTaps: there is no pressure to take",
+                             "add `pressureTaps ((x y z) (x y z));` to `records`, or remove tapInterval");
     dict.block({"checkpoint",
                 "when the state is written from which the option -resume goes on; with either of these also at the "
                 "end. `touch checkpoint` in the case's folder or SIGUSR1 asks for one"},

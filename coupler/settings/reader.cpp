@@ -2,6 +2,7 @@
 #include "settings/reader.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/text.hpp"
 
@@ -46,6 +47,54 @@ void Reader::number(const Key& key, double& value, const Range& range)
                             ")",
                         "correct the value (SI units)");
     value = *given;
+}
+
+void Reader::number(const Key& key, std::optional<double>& value, const Range& range)
+{
+    double given = value.value_or(0);
+    number(key, given, range);
+    if (has(key.name)) value = given;
+}
+
+void Reader::whole_number(const Key& key, double& value)
+{
+    number(key, value, {"a whole number above 0", [](double given) {
+                            return given >= 1 && given <= 1e6 && given == std::floor(given);
+                        }});
+}
+
+void Reader::numbers(const Key& key, Scalars& value, const Range& range, Order order)
+{
+    std::string fallback;
+    for (const double number : value)
+        fallback += (fallback.empty() ? "(" : " ") + text(number);
+    const std::string unit = key.unit.empty() ? "" : " [" + key.unit + "]";
+    const std::string demand =
+        "list of numbers" + unit + ", " + range.words + (order == Order::ascending ? ", ascending" : "");
+    ask(key, demand, fallback + ")");
+    if (!has(key.name)) return;
+    const auto given = dictionary_->numbers(key.name);
+    bool good = given && !given->empty();
+    for (std::size_t n = 0; good && n < given->size(); ++n)
+        good = range.holds((*given)[n]) && (order == Order::any || n == 0 || (*given)[n] > (*given)[n - 1]);
+    if (!good)
+        throw complaint(key.name,
+                        "`" + key.name + " " + dictionary_->written(key.name) + ";` is not accepted: it must be a " +
+                            demand + " (" + key.meaning + ")",
+                        "write `" + key.name + " (a b c);` with such numbers");
+    value = *given;
+}
+
+void Reader::vector(const Key& key, std::optional<Vector>& value)
+{
+    ask(key, "(x y z) [" + key.unit + "]", "none");
+    if (!has(key.name)) return;
+    const auto given = dictionary_->numbers(key.name);
+    if (!given || given->size() != 3)
+        throw complaint(
+            key.name, "`" + key.name + " " + dictionary_->written(key.name) + ";` is not accepted: it must be a point",
+            "write `" + key.name + " (x y z);`");
+    value = to_vector(given->data());
 }
 
 UserError Reader::nothing_there(const Key& key, const std::string& name, const std::string& shown,
@@ -100,18 +149,18 @@ void Reader::names(const Key& key, std::vector<std::string>& value, const std::v
     value = *given;
 }
 
-void Reader::points(const Key& key, std::vector<Vector>& value, std::size_t count, const std::string& remedy)
+void Reader::points(const Key& key, std::vector<Vector>& value, std::size_t least, const std::string& remedy)
 {
-    ask(key, std::to_string(count) + " points [" + key.unit + "]", "none");
+    ask(key, std::to_string(least) + " points or more [" + key.unit + "]", "none");
     if (!has(key.name)) return;
     const auto given = dictionary_->points(key.name);
     if (!given)
         throw complaint(key.name, "`" + key.name + " " + dictionary_->written(key.name) + ";` is no list of points",
                         "write `" + key.name + " ((x y z) (x y z));`");
-    if (given->size() != count)
+    if (given->size() < least)
         throw complaint(
             key.name,
-            "`" + key.name + "` has " + std::to_string(given->size()) + " of " + std::to_string(count) + " points",
+            "`" + key.name + "` has " + std::to_string(given->size()) + " of " + std::to_string(least) + " points",
             remedy);
     value = *given;
 }
@@ -147,6 +196,16 @@ void Reader::block(const Key& key, const std::function<void(Reader&)>& read)
     }
     read(inside);
     inside.refuse_unknown_keys();
+}
+
+void Reader::block_or_none(const Key& key, bool& wanted, const std::function<void(Reader&)>& read)
+{
+    if (has(key.name) && dictionary_->text(key.name) == "none") {
+        if (!is_among(key.name, known_)) known_.push_back(key.name);
+        wanted = false;
+        return;
+    }
+    block({key.name, key.meaning + "; `none` instead of the block: not taken"}, read);
 }
 
 void Reader::required_block(const Key& key, const std::string& remedy, const std::function<void(Reader&)>& read)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +27,13 @@ public:
     explicit Reader(KeyDescriptions& descriptions) : descriptions_(&descriptions) {}
 
     void number(const Key& key, double& value, const Range& range);
+    void number(const Key& key, std::optional<double>& value, const Range& range);  ///< without one where none is given
+    void whole_number(const Key& key, double& value);                               ///< above 0
+
+    /// A list (1 2 3) of numbers, each in `range`, at least one.
+    enum class Order { ascending, any };
+    void numbers(const Key& key, Scalars& value, const Range& range, Order order = Order::ascending);
+    void vector(const Key& key, std::optional<Vector>& value);  ///< (x y z)
 
     /// One of `choices`, by its name.
     template <class Choice>
@@ -47,14 +55,16 @@ public:
     /// A list of words and quoted texts in parentheses. With `choices`, only of these.
     void names(const Key& key, std::vector<std::string>& value, const std::vector<std::string>& choices = {});
 
-    /// As many points as said; `remedy` is for where there is another number of them.
-    void points(const Key& key, std::vector<Vector>& value, std::size_t count, const std::string& remedy);
+    /// At least as many points as said; `remedy` is for where there are less.
+    void points(const Key& key, std::vector<Vector>& value, std::size_t least, const std::string& remedy);
 
     /// A block whose keys are the user's own: name and value of each, as text.
     void own_entries(const Key& key, std::vector<std::pair<std::string, std::string>>& value);
 
     /// A block of entries that `read` asks for; others are refused. As if it was empty where it is not given.
     void block(const Key& key, const std::function<void(Reader&)>& read);
+    /// The same; `none` in its place sets `wanted` to false.
+    void block_or_none(const Key& key, bool& wanted, const std::function<void(Reader&)>& read);
     /// One that must be given; `remedy` is for where it is not.
     void required_block(const Key& key, const std::string& remedy, const std::function<void(Reader&)>& read);
 

@@ -7,6 +7,7 @@
 
 #include "base/vector.hpp"
 #include "mapping/mapping_type.hpp"
+#include "settings/statistics_settings.hpp"
 
 namespace interphase {
 
@@ -46,7 +47,8 @@ struct Settings {
     double snapshot_interval = 0;           ///< between two particle snapshots [s]; 0: as the gas fields are written
     double checkpoint_interval = 0;         ///< between two checkpoints, simulated time [s]; 0: none for it
     double checkpoint_wall_interval = 600;  ///< likewise, of the wall clock [s]; 0: none by the clock
-    std::vector<Vector> pressure_taps;      ///< two points; their pressure difference is recorded
+    std::vector<Vector> pressure_taps;      ///< two points or more; the first's pressure less the last's is recorded
+    StatisticsSettings statistics;
 };
 
 std::string name_of(Method method);  ///< as a case names it

@@ -47,6 +47,11 @@ class Case:
             case_folder.set_method_and_weight(changed._dictionaries, changed._method, changed._weight)
         return changed
 
+    def value(self, name, default=None):
+        """The text of the entry that `set` knows by this name, as changed; `default` where there is none."""
+        file, path = self._dictionaries.place_of(name)
+        return self._dictionaries.value(file, path, default) if self._dictionaries.has(file) else default
+
     @property
     def method(self):
         """The collision method: DEM, CGPM, TDHS, CGHS, MPPIC or PLUGIN."""
@@ -61,6 +66,13 @@ class Case:
     def settings(self):
         """{name: text} of the entries that `set` has changed, `method` and `weight` apart."""
         return dict(self._settings)
+
+    @property
+    def dictionaries(self):
+        """The `Dictionaries` of the case's files, as changed: a copy."""
+        found = case_folder.Dictionaries(self.path)
+        found.take(self._dictionaries)
+        return found
 
     @property
     def end_time(self):

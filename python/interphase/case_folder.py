@@ -15,10 +15,10 @@ PARAMETERS = "parameters"
 COUPLING = "system/couplingDict"
 CONTROL = "system/controlDict"
 
-# What a run leaves behind; not part of a case.
+# What a run leaves behind, and what runs of it have measured; not part of a case.
 LEFT_BY_A_RUN = (
     "processor[0-9]*", "processors[0-9]*", "postProcessing", "dynamicCode", "log.*", "*.foam", "run.json", "__pycache__",
-    "results.h5*", "particles.h5*", "particles.xdmf*", "snapshots", "bed.png", "report.png", "frames",
+    "results.h5*", "particles.h5*", "particles.xdmf*", "snapshots", "bed.png", "report.png", "frames", "study",
 )
 
 METHODS = ("DEM", "CGPM", "TDHS", "CGHS", "MPPIC", "PLUGIN")

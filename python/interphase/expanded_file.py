@@ -13,10 +13,14 @@ from interphase.input_error import InputError
 class File:
     """A dictionary with its macros expanded; complaints name the file."""
 
-    def __init__(self, path, parameters=None):
-        """`parameters`: the `File` to look macros up in that this file does not define. No file at all is an empty one."""
+    def __init__(self, path, parameters=None, block=None):
+        """`parameters`: the `File` to look macros up in that this file does not define. No file at all is an empty one.
+
+        `block`: only what that block has, an empty one where there is none. `given`: whether there is a file, with the block.
+        """
         self.path, self.parameters = path, parameters
-        if not os.path.isfile(path):
+        self.given = os.path.isfile(path)
+        if not self.given:
             self.text, self.root = "", foam_file.parse("")
             return
         try:
@@ -27,6 +31,10 @@ class File:
             raise InputError(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
         except FoamFileError as error:
             raise InputError(f"{path}: {error}") from None
+        if block is not None:
+            found = [entry for entry in self.root.all_named(block) if isinstance(entry, Dictionary)]
+            self.given = bool(found)
+            self.root = found[0] if found else foam_file.parse("")
 
     def complaint(self, name, message):
         """The InputError that names file, line and entry."""

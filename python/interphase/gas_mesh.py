@@ -37,6 +37,22 @@ class GasMesh:
     patches: tuple
 
     @property
+    def volumes(self):
+        """[cells], m3: by the triangles between each face's corners and their mean."""
+        counts = numpy.diff(self.first)
+        face = numpy.repeat(numpy.arange(len(counts)), counts)
+        following = numpy.arange(1, len(self.corners) + 1)
+        following[self.first[1:] - 1] = self.first[:-1]
+        a, b = self.points[self.corners], self.points[self.corners[following]]
+        middle = numpy.add.reduceat(a, self.first[:-1]) / counts[:, None]
+        normal = numpy.cross(a - middle[face], b - middle[face]) / 2
+        # by the divergence theorem; about the mesh's middle, so that little cancels
+        outward = numpy.einsum("ij,ij->i", (a + b + middle[face]) / 3 - self.points.mean(axis=0), normal) / 3
+        of_face = numpy.bincount(face, outward, len(counts))
+        own = numpy.bincount(self.owner, of_face, self.cells)
+        return own - numpy.bincount(self.neighbour, of_face[:len(self.neighbour)], self.cells)
+
+    @property
     def cells(self):
         """Their number."""
         return int(max(self.owner.max(initial=-1), self.neighbour.max(initial=-1))) + 1

@@ -46,6 +46,12 @@ def cores():
     return len(seen)
 
 
+def cpu_of_children():
+    """Seconds of a core, user's and system's, of all programs that this process has started and that have ended."""
+    spent = os.times()
+    return spent.children_user + spent.children_system
+
+
 def command(binary, run_folder, ranks):
     """The command line of a prepared case, a list."""
     if ranks == 1:

@@ -14,28 +14,37 @@ MARKERS = "osD^vPX*"
 INK = "0.2"
 
 
-def draw(path, names, reports, depth, scene):
-    """`names`: one per report. Panels that no run has anything for are left out."""
+def panels(reports, depth, scene):
+    """{name: function that draws on axes} of what these reports have anything for, in the order of the figure."""
     def there(part):
         return any(getattr(report, part) is not None for report in reports)
 
-    panels = [make for part, make in (
-        ("windows", lambda axes: _velocity(axes, reports, depth, "vertical", scene)),
-        ("windows", lambda axes: _velocity(axes, reports, depth, "horizontal", scene)),
-        ("windows", lambda axes: _temperature(axes, reports, depth)),
-        ("overlap", lambda axes: _overlap(axes, reports)),
-        ("voidage", lambda axes: _voidage(axes, reports)),
-        ("pressure", lambda axes: _pressure(axes, reports)),
-    ) if there(part)]
+    return {name: make for name, part, make in (
+        ("vertical velocity", "windows", lambda axes: _velocity(axes, reports, depth, "vertical", scene)),
+        ("horizontal velocity", "windows", lambda axes: _velocity(axes, reports, depth, "horizontal", scene)),
+        ("granular temperature", "windows", lambda axes: _temperature(axes, reports, depth)),
+        ("overlaps", "overlap", lambda axes: _overlap(axes, reports)),
+        ("voidage", "voidage", lambda axes: _voidage(axes, reports)),
+        ("pressure", "pressure", lambda axes: _pressure(axes, reports)),
+    ) if there(part)}
+
+
+def draw(path, names, reports, depth, scene):
+    """`names`: one per report. Panels that no run has anything for are left out."""
+    makes = panels(reports, depth, scene).values()
     high = 0.35 * math.ceil(len(names) / 4)
-    figure, all_axes = grid(len(panels), 3.5, 2.9, 0.5)
-    for axes, make in zip(all_axes, panels):
+    figure, all_axes = grid(len(makes), 3.5, 2.9, 0.5)
+    for axes, make in zip(all_axes, makes):
         make(axes)
-    handles = [plt.Line2D([], [], **style(at), marker=marker(at), markersize=4) for at in range(len(names))]
-    figure.legend(handles, names, loc="upper left", ncol=min(len(names), 4), frameon=False, fontsize=9)
+    figure.legend(handles(len(names)), names, loc="upper left", ncol=min(len(names), 4), frameon=False, fontsize=9)
     figure.tight_layout(rect=(0, 0, 1, 1 - high / figure.get_figheight()))
     figure.savefig(path, dpi=160)
     plt.close(figure)
+
+
+def handles(count):
+    """For a legend of the runs number 0 to `count` - 1."""
+    return [plt.Line2D([], [], **style(at), marker=marker(at), markersize=4) for at in range(count)]
 
 
 def grid(count, wide, deep, above):
@@ -120,7 +129,7 @@ def _voidage(axes, reports):
         dense = share[report.voidage.edges[1:] < 0.95]
         top = max(top, dense.max(initial=0.0))
     axes.set_ylim(0, 1.25 * top or None)
-    axes.set(xlabel="voidage", ylabel="cells [%]")
+    axes.set(xlabel="mapped voidage" if any(report.of_rows for report in reports) else "voidage", ylabel="cells [%]")
     axes.set_title("the empty vessel's peak at 1 is cut off", fontsize=7, color="0.45")
 
 

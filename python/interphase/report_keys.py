@@ -1,13 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The keys of system/reportDict: one table, for reading, for complaints and for the help."""
+"""The keys of `statistics` in system/couplingDict that say what tools/report measures of snapshots: one table, for reading, for
+complaints and for the help."""
 
 # {block: {key: (unit, what, default)}}; block "" is the file itself.
 KEYS = {
     "": {
         "from": ("s", "what is before is start-up and left out", "found by MSER-5 from /series"),
+        "interval": ("s", "between two rows of /statistics, which the run takes", "0: none"),
+        "tapInterval": ("s", "between two rows of /taps", "0: none"),
         "windows": ("", "block, or `none`: no profiles", "all of its defaults"),
         "overlaps": ("", "block, or `none`", "all of its defaults"),
         "voidage": ("", "block, or `none`", "all of its defaults"),
+        "surface": ("", "block, or `none`; only in rows", "all of its defaults"),
+        "bubbles": ("", "block, or `none`; only in rows", "all of its defaults"),
     },
     "windows": {
         "count": ("", "windows side by side across x", "5, fewer where they would be below 4 largest diameters"),
@@ -32,6 +37,11 @@ KEYS = {
         "high": ("m", "(x y z), its high corner", "the same"),
         "cells": ("", "(nx ny nz)", "the same; 4 mean diameters wide in the vessel's"),
     },
+    "surface": {
+        "columns": ("", "columns across x", "as wide as a gas cell, 4 mean diameters at least"),
+        "share": ("", "of a column's solids below its surface", "0.99"),
+    },
+    "bubbles": {"voidage": ("", "above which a cell belongs to a bubble", "0.8")},
 }
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What tools/report is to measure in a case: `system/reportDict` where there is one, the box mesh of `system/blockMeshDict`, and
+"""What tools/report is to measure in a case: the block `statistics` of `system/couplingDict` (or an older case's `system/reportDict`), the box mesh of `system/blockMeshDict`, and
 for what neither says the vessel and its spheres (report_vessel.py).
 
 x goes across, y is the depth with the front wall at its low end, z is up. The keys and their defaults are in report_keys.py.
@@ -15,7 +15,8 @@ from interphase.expanded_file import File, parameters_of
 from interphase.input_error import InputError
 from interphase.report_keys import KEYS
 
-SCENE = "system/reportDict"
+SCENE = "statistics of system/couplingDict"
+EARLIER_SCENE = "system/reportDict"
 
 WINDOWS_ACROSS = 5
 # A window or a cell below this many diameters tells single spheres.
@@ -54,13 +55,17 @@ class Overlaps:
 
 @dataclass(frozen=True)
 class Voidage:
-    """Histogram of `bins` bins from `lowest` to `highest`; `limits` divide the cells into shares."""
+    """Histogram of `bins` bins from `lowest` to `highest`; `limits` divide the cells into shares.
+
+    `mesh`: on which spheres are put where they lie; None where the voidage is that of the gas's cells, `cells` of them.
+    """
 
     lowest: float
     highest: float
     bins: int
     limits: tuple
-    mesh: BoxMesh
+    mesh: Optional[BoxMesh]
+    cells: int
 
 
 @dataclass(frozen=True)
@@ -73,10 +78,19 @@ class Scene:
 
 
 def opened(folder, scene_file=None):
-    """The system/reportDict of the run in `folder`, or `scene_file`, its keys known to be right; without a file an empty one."""
+    """What the run in `folder` says of its statistics, or `scene_file`, its keys known to be right; nothing where neither says any.
+
+    It is the block `statistics` of system/couplingDict; without one an older case's system/reportDict, with the same keys.
+    """
     if scene_file and not os.path.isfile(scene_file):
         raise InputError(f"--scene {scene_file}: no such file")
-    file = File(scene_file or os.path.join(folder, SCENE), parameters_of(folder))
+    parameters = parameters_of(folder)
+    if scene_file:
+        file = File(scene_file, parameters)
+    else:
+        file = File(os.path.join(folder, "system/couplingDict"), parameters, block="statistics")
+        if not file.given and os.path.isfile(os.path.join(folder, EARLIER_SCENE)):
+            file = File(os.path.join(folder, EARLIER_SCENE), parameters)
     file.refuse_unknown(KEYS)
     return file
 
@@ -97,6 +111,14 @@ def scene_of(file, vessel, mesh):
     overlaps = _overlaps(file, vessel, notes) if _wanted(file, "overlaps") else None
     voidage = _voidage(file, vessel, mesh, notes) if _wanted(file, "voidage") else None
     return Scene(windows, overlaps, voidage), notes
+
+
+def percentiles_of(file):
+    """Of the overlaps, %."""
+    found = file.ascending("overlaps/percentiles", DEFAULT_PERCENTILES)
+    if any(not 0 < value < 100 for value in found):
+        raise file.complaint("overlaps/percentiles", f"= {found}: give them in %, between 0 and 100")
+    return found
 
 
 def _wanted(file, block):
@@ -158,13 +180,11 @@ def _overlaps(file, vessel, notes):
     if file.entry("overlaps") is None and vessel is not None and vessel.largest is not None \
             and vessel.largest > WIDEST_SIZES * vessel.smallest:
         notes.append(f"overlaps are not measured: diameters of {vessel.smallest:.3g} to {vessel.largest:.3g} m take long; "
-                     "a block `overlaps { }` in system/reportDict asks for them all the same")
+                     f"a block `overlaps {{ }}` in {SCENE} asks for them all the same")
         return None
-    found = Overlaps(file.ascending("overlaps/shares", DEFAULT_SHARES), file.ascending("overlaps/percentiles", DEFAULT_PERCENTILES))
+    found = Overlaps(file.ascending("overlaps/shares", DEFAULT_SHARES), percentiles_of(file))
     if any(not value > 0 for value in found.shares):
         raise file.complaint("overlaps/shares", f"= {found.shares}: overlaps over the diameter are above 0, such as 0.01")
-    if any(not 0 < value < 100 for value in found.percentiles):
-        raise file.complaint("overlaps/percentiles", f"= {found.percentiles}: give them in %, between 0 and 100")
     return found
 
 
@@ -190,7 +210,7 @@ def _voidage(file, vessel, mesh, notes):
             return None
     found = Voidage(
         file.number("voidage/lowest", 0.3), file.number("voidage/highest", 1.0), file.whole("voidage/bins", 70),
-        file.ascending("voidage/limits", DEFAULT_LIMITS), wanted,
+        file.ascending("voidage/limits", DEFAULT_LIMITS), wanted, math.prod(wanted.cells),
     )
     if not found.lowest < found.highest:
         raise file.complaint("voidage/highest", f"= {found.highest:g} is not above voidage/lowest = {found.lowest:g}")
@@ -206,7 +226,7 @@ def _mesh_of(vessel, mesh, notes):
     cells = [max(1, round(edge / (CELL_IN_DIAMETERS * vessel.mean))) for edge in size]
     if math.prod(cells) > MOST_CELLS:
         notes.append(f"no voidage: {vessel.whence} would have {math.prod(cells):.3g} cells of four diameters; give "
-                     "`voidage { low (x y z); high (x y z); cells (nx ny nz); }` in system/reportDict")
+                     f"`voidage {{ low (x y z); high (x y z); cells (nx ny nz); }}` in {SCENE}")
         return None
     why = "the case's blockMeshDict has another box" if isinstance(mesh, BoxMesh) else mesh
     notes.append(f"voidage is of {' x '.join(map(str, cells))} cells in {vessel.whence}, as {why}; "

@@ -99,7 +99,7 @@ def text(names, reports, depth, confidence):
     letters = [chr(ord("A") + at) if at < 26 else str(at + 1) for at in range(len(names))]
     titles = [f"{letter}: {name}" for letter, name in zip(letters, names)]
     rows = [["", *titles, *(f"{letter} - {letters[0]}" for letter in letters[1:])]]
-    rows.append(["snapshots", *(str(report.snapshots) for report in reports)])
+    rows.append(["rows of /statistics" if all(report.of_rows for report in reports) else "snapshots", *(str(report.snapshots) for report in reports)])
     heading = ""
     for at, key in enumerate(keys):
         if key[0] != heading and key[0]:

@@ -13,6 +13,7 @@ from interphase.matching_times import Matching
 from interphase.report_scene import Scene
 from interphase.report_vessel import box_of, vessel_of
 from interphase.run_records import find_run
+from interphase.statistics_rows import scene_of_rows, statistics_rows
 from interphase.start_up import StartUp, later_half, start_up_of_run
 
 
@@ -35,19 +36,23 @@ def names_of(runs):
 
 
 def _files(runs, names, scene_file):
-    """(the system/reportDict of each run, notes). A run without one is measured by that of the first run that has one."""
+    """(the `File` that says what to measure in each run, notes). A run without one is measured by that of the first run that has one."""
     files = [report_scene.opened(run.path, scene_file) for run in runs]
-    has = [file.text != "" for file in files]
+    has = [file.given for file in files]
     if all(has) or not any(has):
         return files, []
     first = has.index(True)
     without = [name for name, there in zip(names, has) if not there]
     return ([file if there else files[first] for file, there in zip(files, has)],
-            [f"{' and '.join(without)} without system/reportDict: measured as that of {names[first]} says"])
+            [f"{' and '.join(without)} without a block `statistics`: measured as {names[first]} says"])
 
 
-def _common_scene(files, runs, start, end):
-    """(`Scene`, notes): what to measure, of all runs the same."""
+def _common_scene(files, runs, taken, start, end):
+    """(`Scene`, notes): what to measure, of all runs the same; what `taken` (per run `StatisticsRows`, or None at all) have."""
+    if taken is not None:
+        scenes = [scene_of_rows(rows, report_scene.percentiles_of(file)) for rows, file in zip(taken, files)]
+        _demand_same(runs, scenes, "by --snapshots and --scene FILE")
+        return scenes[0], []
     meshes = [box_mesh(run.path) for run in runs]
     mesh = meshes[0] if all(other == meshes[0] for other in meshes) else next(
         (mesh for mesh in meshes if not isinstance(mesh, BoxMesh)), "the runs' meshes differ")
@@ -55,12 +60,15 @@ def _common_scene(files, runs, start, end):
     where = Matching("time", None)
     vessel, notes = vessel_of(runs, boxes, lambda time: where.inside(time, start, end))
     found = [report_scene.scene_of(file, vessel, mesh) for file in files]
-    for run, (scene, _) in zip(runs[1:], found[1:]):
-        if scene != found[0][0]:
-            what = ", ".join(name for name in ("windows", "overlaps", "voidage") if getattr(scene, name) != getattr(found[0][0], name))
-            raise InputError(f"{runs[0].path} and {run.path} do not measure the same ({what} of system/reportDict differ); give one "
-                             "for all by --scene FILE")
+    _demand_same(runs, [scene for scene, _ in found], "by --scene FILE")
     return found[0][0], notes + found[0][1]
+
+
+def _demand_same(runs, scenes, how):
+    for run, scene in zip(runs[1:], scenes[1:]):
+        if scene != scenes[0]:
+            what = ", ".join(name for name in ("windows", "overlaps", "voidage") if getattr(scene, name) != getattr(scenes[0], name))
+            raise InputError(f"{runs[0].path} and {run.path} do not measure the same ({what} differ); give one for all {how}")
 
 
 @dataclass(frozen=True)
@@ -74,11 +82,11 @@ class Range:
     unsettled: tuple
 
 
-def _time_range(runs, names, files, start, end):
-    """(`Range`, notes) that all runs have snapshots, or rows of /series, in; `start` and `end` [s] where they are given."""
-    spans, notes = [], []
-    for run, name in zip(runs, names):
-        times = run.snapshot_times()
+def _time_range(runs, names, files, taken, start, end):
+    """(`Range`, notes) that all runs have snapshots, rows of /statistics (`taken`) or of /series in; `start` and `end` [s] where given."""
+    spans, notes, samples = [], [], []
+    for at, (run, name) in enumerate(zip(runs, names)):
+        times = run.snapshot_times() if taken is None else taken[at].time.tolist()
         if not times:
             notes.append(f"{name}: no snapshots were recorded: neither profiles nor overlaps nor voidage")
             series = run.series()
@@ -86,16 +94,17 @@ def _time_range(runs, names, files, start, end):
         if not len(times):
             raise InputError(f"{run.path}: holds neither snapshots nor rows of /series: there is nothing to report")
         spans.append((float(times[0]), float(times[-1])))
+        samples.append(times)
     asked, first = end, max(first for first, _ in spans)
     end = min(last for _, last in spans) if end is None else end
     settled = (None,) * len(runs)
     if start is not None:
-        return _filled(runs, spans, Range(start, end, "--from", settled)), notes
+        return _filled(runs, spans, samples, Range(start, end, "--from", settled)), notes
     if first > end:
         raise InputError(f"the runs have no time in common: they go {' and '.join(f'from {a:g} to {b:g} s' for a, b in spans)}")
     given = [start for file in files if (start := report_scene.start_of(file)) is not None]
     if given and max(given) <= end:
-        return Range(max(given), end, "`from` of system/reportDict", settled), notes
+        return Range(max(given), end, f"`from` of {os.path.basename(files[0].path)}", settled), notes
     if given:
         notes.append(f"`from` = {max(given):g} s of {report_scene.SCENE} is after what there is in all runs, which ends at {end:g} s: "
                      "the end of start-up is looked for instead")
@@ -117,11 +126,10 @@ def _time_range(runs, names, files, start, end):
     return Range(max(last.end, first), end, f"start-up found by MSER-5: {how}", settled), notes
 
 
-def _filled(runs, spans, wanted):
+def _filled(runs, spans, samples, wanted):
     """The `Range` that was asked for; InputError where a run has nothing there."""
     where = Matching("time", None)
-    for run, span in zip(runs, spans):
-        times = run.snapshot_times() or run.series()[0]
+    for run, span, times in zip(runs, spans, samples):
         if not any(where.inside(time, wanted.start, wanted.end) for time in times):
             raise InputError(f"{run.path}: no snapshots from {wanted.start:g} to {wanted.end:g} s: it has them from {span[0]:g} to "
                              f"{span[1]:g} s; choose by --from and --until")
@@ -139,19 +147,46 @@ class Reported:
     notes: list
 
 
-def reported(runs, start=None, end=None, scene_file=None, every=1, progress=lambda name, done, of, time: None):
-    """`Reported` of the `Records` of several runs from `start` to `end` [s] (None: as tools/report chooses), by each `every`-th snapshot;
-    `scene_file` takes the place of the runs' system/reportDict. `progress` is called at each snapshot."""
+def _taken(runs, names, snapshots):
+    """(`StatisticsRows` of each run, notes), None where one has none, or `snapshots` are asked for."""
+    found = [statistics_rows(run) for run in runs]
+    if snapshots or not any(found):
+        return None, []
+    without = [name for name, rows in zip(names, found) if rows is None]
+    if without:
+        return None, [f"{' and '.join(without)} without rows of /statistics: all is measured of snapshots"]
+    return found, []
+
+
+def scene_of_all(runs, scene_file=None, snapshots=False):
+    """(`Scene` that holds for all `Records` over all of their time, whether it is measured of snapshots, notes)."""
+    names = names_of(runs)
+    files, notes = _files(runs, names, scene_file)
+    taken, of_rows = _taken(runs, names, snapshots or scene_file is not None)
+    scene, more = _common_scene(files, runs, taken, None, None)
+    return scene, taken is None, notes + of_rows + more
+
+
+def reported(runs, start=None, end=None, scene_file=None, every=1, progress=lambda name, done, of, time: None, snapshots=False, scene=None):
+    """`Reported` of the `Records` of several runs from `start` to `end` [s] (None: as tools/report chooses): of the rows of /statistics
+    where each has them, unless `snapshots` or a `scene_file` (in the place of what the runs say) is given, else by each `every`-th
+    snapshot. `scene` is measured instead of what the files say. `progress` is called at each snapshot."""
     names, where = names_of(runs), Matching("time", None)
     files, notes = _files(runs, names, scene_file)
-    looked_at, more = _time_range(runs, names, files, start, end)
-    scene, of_scene = _common_scene(files, runs, looked_at.start, looked_at.end)
+    taken, of_rows = _taken(runs, names, snapshots or scene_file is not None or every > 1)
+    looked_at, more = _time_range(runs, names, files, taken, start, end)
+    more, of_scene = of_rows + more, []
+    if scene is None:
+        scene, of_scene = _common_scene(files, runs, taken, looked_at.start, looked_at.end)
 
     def inside(time):
         return where.inside(time, looked_at.start, looked_at.end)
 
     reports = []
-    for name, run, unsettled in zip(names, runs, looked_at.unsettled):
+    for at, (name, run, unsettled) in enumerate(zip(names, runs, looked_at.unsettled)):
+        if taken is not None:
+            reports.append(run_report.measure(run, scene, None, inside, None, unsettled, taken[at]))
+            continue
         times = run.snapshot_times()
         wanted = set([time for time in times if inside(time)][::every])
         reports.append(run_report.measure(run, scene, lambda frame: frame.time in wanted, inside,

@@ -58,10 +58,29 @@ class Run:
         return stored.attributes(self._file("results.h5"), "timing")
 
     @property
+    def processor_time(self):
+        """{phase: Series} of /processor_time: the seconds that the processors of all ranks have spent on it so far, a row with each of /series."""
+        series = module("series")
+        return series.Table(self._file("results.h5"), "processor_time")
+
+    @property
     def series(self):
         """{name: Series} of /series of results.h5 as far as they are written: pressure_drop, bed_height, kinetic_energy, ..."""
         series = module("series")
         return series.Table(self._file("results.h5"), "series")
+
+    @property
+    def samples(self):
+        """{name: Series} of /statistics of results.h5, the rows that the run takes at `statistics.interval`: windows, overlaps, voidage,
+        surface, bubbles, energy; values [n] or [n, k]."""
+        series = module("series")
+        return series.Table(self._file("results.h5"), "statistics")
+
+    @property
+    def taps(self):
+        """{name: Series} of /taps of results.h5: `pressure` [n, taps] at each of records.pressureTaps, at `statistics.tapInterval`."""
+        series = module("series")
+        return series.Table(self._file("results.h5"), "taps")
 
     @property
     def ledger(self):

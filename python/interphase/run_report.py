@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The statistics of one run, as Lu et al. give them: profiles, granular temperature, overlaps, voidage, pressure drop.
 
-Snapshots are read one by one; what is kept of each is a few hundred numbers.
+They are made of the rows of /statistics, which the run has taken, or of snapshots: read one by one, a few hundred numbers of each kept.
 """
 
 import dataclasses
@@ -16,9 +16,9 @@ from interphase.input_error import InputError
 from interphase.run import NO_PRESSURE_DROP
 from interphase.spectrum import COPIES, Spectrum, power_spectrum, strongest_frequency
 from interphase.statistical_comparison import uneven
+from interphase.statistics_rows import DEPTHS, samples
 from interphase.time_statistics import Mean
 
-DEPTHS = ("front_slice", "full_depth")
 COMPONENTS = ("horizontal", "vertical")
 DATA = ("position", "velocity", "diameter")
 WEIGHT = "weight"  # real particles in each sphere; recorded where it differs between them
@@ -57,7 +57,7 @@ class Histogram:
 
 @dataclass
 class RunReport:
-    """All of it. `first`, `last`: times of the first and last snapshot [s], of rows of /series where there are no snapshots.
+    """All of it, of `snapshots` snapshots or, where `of_rows`, rows of /statistics. `first`, `last`: times of the first and last snapshot [s], of rows of /series where there are no snapshots.
     `recorded`: time to which the run had gone [s]. `rows`: number and times of the first and last row of /series. `needed`: time to which the run must go at least to tell the end of
     its start-up [s]. What is None was not measured."""
 
@@ -78,13 +78,14 @@ class RunReport:
     pressure: Optional[tuple] = None
     spectrum: Optional[Spectrum] = None
     notes: list = field(default_factory=list)
+    of_rows: bool = False
 
 
 class _Rows:
     """Numbers of each snapshot, by name."""
 
-    def __init__(self):
-        self.rows = {}
+    def __init__(self, rows=None):
+        self.rows = {} if rows is None else rows
 
     def add(self, **values):
         for name, value in values.items():
@@ -94,12 +95,35 @@ class _Rows:
         return numpy.array(self.rows.get(name, ()))
 
 
-def measure(run, scene, chosen, series_chosen, progress=None, unsettled=None):
+def measure(run, scene, chosen, series_chosen, progress=None, unsettled=None, taken=None):
     """The `RunReport` of `Records`; without snapshots that count, what /series gives.
 
     `chosen(frame)` and `series_chosen(time)` say what counts; `progress(number, time)` is called at each snapshot. `unsettled`: the
-    `StartUp` for whose reason no mean is to be trusted, None where start-up is over. InputError where a snapshot lacks what is needed.
+    `StartUp` for whose reason no mean is to be trusted, None where start-up is over. `taken`: `StatisticsRows`, of which those that
+    `series_chosen` take the place of snapshots. InputError where a snapshot lacks what is needed.
     """
+    rows = _Rows(samples(taken, series_chosen)) if taken is not None else _measured(run, scene, chosen, progress)
+    times = rows.time
+    report = RunReport(len(times), *((float(times[0]), float(times[-1])) if len(times) else (math.nan, math.nan)), of_rows=taken is not None)
+    if (spread := uneven(times)) is not None:
+        apart = f"{spread[0]:.4g} to {spread[1]:.4g} s apart"
+        report.notes.append(f"{'rows of /statistics' if report.of_rows else 'snapshots'} are {apart}; means are over samples, not over time")
+    if scene.windows and len(times):
+        _windows(report, scene.windows, rows)
+    if scene.overlaps and len(times):
+        _overlaps(report, scene.overlaps, rows)
+    if scene.voidage and len(times):
+        _voidage(report, scene.voidage, rows)
+    _series(report, run, series_chosen)
+    report.recorded = run.last_time()
+    if unsettled is not None:
+        report.needed = unsettled.needed
+        _distrust(report, f"start-up not known to be over: {unsettled.reason}")
+    return report
+
+
+def _measured(run, scene, chosen, progress):
+    """`_Rows` of the snapshots that are chosen."""
     rows = _Rows()
     for frame in run.frames(only=(*DATA, WEIGHT)):
         if not chosen(frame):
@@ -116,23 +140,7 @@ def measure(run, scene, chosen, series_chosen, progress=None, unsettled=None):
         rows.add(time=frame.time)
         if progress:
             progress(len(rows.rows["time"]), frame.time)
-    times = rows.time
-    report = RunReport(len(times), *((float(times[0]), float(times[-1])) if len(times) else (math.nan, math.nan)))
-    if (spread := uneven(times)) is not None:
-        apart = f"{spread[0]:.4g} to {spread[1]:.4g} s apart"
-        report.notes.append(f"snapshots are {apart}; means are over samples, not over time")
-    if scene.windows and len(times):
-        _windows(report, scene.windows, rows)
-    if scene.overlaps and len(times):
-        _overlaps(report, scene.overlaps, rows)
-    if scene.voidage and len(times):
-        _voidage(report, scene.voidage, rows)
-    _series(report, run, series_chosen)
-    report.recorded = run.last_time()
-    if unsettled is not None:
-        report.needed = unsettled.needed
-        _distrust(report, f"start-up not known to be over: {unsettled.reason}")
-    return report
+    return rows
 
 
 def _distrust(report, reason):
@@ -232,7 +240,7 @@ def _overlaps(report, wanted, rows):
 
 
 def _voidage(report, wanted, rows):
-    counts, cells = rows.voidage_counts, math.prod(wanted.mesh.cells)
+    counts, cells = rows.voidage_counts, wanted.cells
     share = counts / cells
     report.voidage = Histogram(
         numpy.linspace(wanted.lowest, wanted.highest, wanted.bins + 1), share[:, 1:-1].mean(axis=0),
@@ -240,8 +248,9 @@ def _voidage(report, wanted, rows):
         float(share[:, 0].mean()), float(share[:, -1].mean()),
     )
     limits = wanted.limits
-    names = [f"voidage below {limits[0]:g}", *(f"voidage {a:g} to {b:g}" for a, b in zip(limits, limits[1:])),
-             f"voidage above {limits[-1]:g}"]
+    what = "mapped voidage" if report.of_rows else "voidage"  # as the gas has it, or of the spheres where they lie
+    names = [f"{what} below {limits[0]:g}", *(f"{what} {a:g} to {b:g}" for a, b in zip(limits, limits[1:])),
+             f"{what} above {limits[-1]:g}"]
     for name, column in zip(names, rows.limit_counts.T):
         report.voidages.append(Quantity(name, "% of cells", statistics.mean_with_error(column / cells), 100))
     if rows.outside.any():

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How a run stands, by what tools/run writes into its folder: run.json, with the process that runs it while there is one."""
 
+import datetime
 import json
 import os
+import re
 import signal
 import socket
 
@@ -15,8 +17,19 @@ RUNNING, ENDED, STOPPED, FAILED, BROKEN_OFF, UNKNOWN = "running", "ended", "stop
 
 
 def this_process():
-    """What tells this process from a later one of the same number, for run.json."""
-    return {"pid": os.getpid(), "started": _started(os.getpid()), "host": socket.gethostname()}
+    """What tells this process from a later one of the same number, for run.json, and since when it has run on which machine."""
+    return {"pid": os.getpid(), "started": _started(os.getpid()), "host": socket.gethostname(), "machine": machine(),
+            "date": datetime.date.today().isoformat()}
+
+
+def machine():
+    """The model of the processor as Linux names it, "" where it does not."""
+    try:
+        with open("/proc/cpuinfo", encoding="utf-8", errors="replace") as stream:
+            found = re.search(r"^model name\s*:\s*(.+)$", stream.read(), re.M)
+    except OSError:
+        return ""
+    return found[1].strip() if found else ""
 
 
 def _started(pid):

@@ -21,13 +21,14 @@ SEED = "seed"
 @dataclass(frozen=True)
 class Point:
     """One run: its folder's `name`, the `Case` as it is set, its end `until` [s]; `values` {name: text} of what is swept, the seed
-    (a whole number, or None) apart."""
+    (a whole number, or None) apart. `start`: "RUN@TIME" whose bed it begins with, None: the case's own."""
 
     name: str
     case: Case
     until: float
     values: dict = field(hash=False)
     seed: int = None
+    start: str = None
 
     @property
     def identity(self):

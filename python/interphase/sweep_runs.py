@@ -195,7 +195,7 @@ class Sweep:
             else:
                 # The case's own end is left as it is written there.
                 until = None if point.until == point.case.end_time else point.until
-                run = point.case.run(folder, ranks=self.ranks, until=until, overwrite=True, wait=False)
+                run = point.case.run(folder, ranks=self.ranks, until=until, start=point.start, overwrite=True, wait=False)
         except (InputError, StepFailed) as error:
             self._hole(point, str(error))
             return

@@ -16,7 +16,7 @@ SOURCE = pathlib.Path(os.environ.get("INTERPHASE_SOURCE", pathlib.Path(__file__)
 COUPLER = SOURCE / "coupler"
 
 # A folder may include itself and the folders before it.
-ORDER = ["base", "exchange", "mapping", "forces", "momentum", "settings", "plugin", "records", "step", "run"]
+ORDER = ["base", "exchange", "mapping", "forces", "momentum", "settings", "plugin", "records", "step", "statistics", "run"]
 ENGINES = ["openfoam", "liggghts"]
 FOR_PLUGINS = "plugin/plugin.hpp"
 

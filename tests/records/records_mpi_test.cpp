@@ -64,6 +64,51 @@ TEST(Results, AreReadBackAsTheyWereAdded)
     EXPECT_EQ(file.doubles("/ledger/momentum_residual"), Scalars{1e-15});
 }
 
+TEST(Results, TakeRowsOfManyNumbersAndGoOnBehindATime)
+{
+    const test::ScratchFolder folder(world());
+    const auto add = [](Results& results, double time, std::size_t width) {
+        Results::Row row;
+        row.add("time", "s", time);
+        row.add("counts", "1", Scalars(width, 10 * time));
+        row.add("one", "m", Scalars{time});
+        results.add_row("/statistics", row);
+    };
+    {
+        Results results(world());
+        results.describe("/statistics", "edges", Scalars{1, 2, 3});
+        for (const double time : {0.1, 0.2, 0.3}) {
+            add(results, time, 300);
+            if (time == 0.2) results.flush();
+        }
+        results.flush();
+    }
+    {
+        Results results(world(), 0.2);
+        add(results, 0.25, 300);
+        results.flush();
+        add(results, 0.35, 300);
+        results.flush();
+    }
+    world().barrier();
+    if (world().is_master()) {
+        const OpenFile file("results.h5");
+        EXPECT_EQ(file.attribute("/statistics", "edges"), (Scalars{1, 2, 3}));
+        EXPECT_EQ(file.doubles("/statistics/time"), (Scalars{0.1, 0.2, 0.25, 0.35}));
+        EXPECT_EQ(file.shape("/statistics/counts"), (std::vector<hsize_t>{4, 300}));
+        EXPECT_EQ(file.shape("/statistics/one"), (std::vector<hsize_t>{4, 1}));
+        const Scalars counts = file.doubles("/statistics/counts");
+        for (std::size_t row = 0; row < 4; ++row)
+            for (const std::size_t column : {0, 299})
+                EXPECT_EQ(counts[300 * row + column], 10 * file.doubles("/statistics/time")[row]);
+    }
+    world().barrier();
+    if (!world().is_master()) return;
+    Results results(test::alone(), 0.3);
+    add(results, 0.4, 299);
+    EXPECT_THROW(results.flush(), UserError);  // what was there stays
+}
+
 TEST(Results, AreCompleteAfterAFlushThoughTheRunGoesOn)
 {
     const test::ScratchFolder folder(world());

@@ -245,7 +245,53 @@ TEST_F(ReadSettings, AKernelHasOneWidth)
 TEST_F(ReadSettings, PressureIsTakenAtTwoPoints)
 {
     refuses({{"records", Block{{"pressureTaps", Points{Vector(0, 0, 1)}}}}}, {}, "`pressureTaps` has 1 of 2 points",
-            "dict.records, line 1", "give two points: the pressure of the first less that of the second is recorded");
+            "dict.records, line 1",
+            "give two points or more: the pressure of the first less that of the last is recorded");
+}
+
+TEST_F(ReadSettings, StatisticsAreOffUntilTheyHaveAnInterval)
+{
+    const StatisticsSettings s = read({}).statistics;
+    EXPECT_EQ(s.interval, 0);
+    EXPECT_EQ(s.tap_interval, 0);
+    EXPECT_TRUE(s.windows.wanted && s.overlaps.wanted && s.voidage.wanted && s.surface.wanted && s.bubbles.wanted);
+    EXPECT_FALSE(s.windows.left || s.windows.centre);
+    const StatisticsSettings given =
+        read({{"statistics", Block{{"interval", 0.05},
+                                   {"windows", Block{{"count", 3.0}, {"left", -0.1}, {"right", 0.2}}},
+                                   {"overlaps", "none"},
+                                   {"voidage", Block{{"bins", 10.0}, {"limits", FakeDictionary::Numbers{0.4, 0.9}}}},
+                                   {"surface", "none"}}}})
+            .statistics;
+    EXPECT_EQ(given.interval, 0.05);
+    EXPECT_EQ(given.windows.count, 3);
+    EXPECT_EQ(given.windows.left, -0.1);
+    EXPECT_FALSE(given.overlaps.wanted || given.surface.wanted || given.bubbles.wanted);
+    EXPECT_EQ(given.voidage.limits, (Scalars{0.4, 0.9}));
+}
+
+TEST_F(ReadSettings, StatisticsThatCannotBeAreRefused)
+{
+    using Numbers = FakeDictionary::Numbers;
+    const auto refused = [&](const Block& block, const std::string& says) {
+        const Problem problem = test::refused([&] { read({{"statistics", block}}); });
+        EXPECT_NE(problem.what.find(says), std::string::npos) << problem.what;
+        EXPECT_EQ(problem.where.rfind("dict", 0), 0u) << problem.where;
+        EXPECT_FALSE(problem.remedy.empty());
+    };
+    refused({{"interval", -1.0}}, "`interval -1;`");
+    refused({{"tapInterval", 0.1}}, "`tapInterval 0.1;` without records.pressureTaps");
+    refused({{"windows", Block{{"left", 0.2}, {"right", 0.1}}}}, "`right 0.1;` is not right of `left 0.2;`");
+    refused({{"windows", Block{{"count", 2.5}}}}, "a whole number above 0");
+    refused({{"windows", Block{{"height", 0.0}}}}, "`height 0;`");
+    refused({{"overlaps", Block{{"shares", Numbers{0.1, 0.01}}}}}, "ascending");
+    refused({{"overlaps", Block{{"shares", Numbers{}}}}}, "list of numbers");
+    refused({{"voidage", Block{{"limits", Numbers{0.5, 1.2}}}}}, "0 to 1");
+    refused({{"voidage", Block{{"lowest", 0.8}, {"highest", 0.7}}}}, "the histogram is empty");
+    refused({{"surface", Block{{"share", 1.0}}}}, "`share 1;`");
+    refused({{"bubbles", Block{{"voidage", 1.5}}}}, "`voidage 1.5;`");
+    refused({{"bubbles", Block{{"voidage", 0.7}}}, {"surface", "none"}}, "`surface none;`");
+    refused({{"bubble", "none"}}, "unknown entry `bubble`");
 }
 
 TEST_F(ReadSettings, NumbersKeepToTheirRanges)
@@ -272,11 +318,11 @@ TEST_F(ReadSettings, RefusesUnknownKeysAndBlocks)
     refuses({{"wieght", 8.0}}, {}, "unknown entry `wieght`", "dict, line 1",
             "did you mean `weight`? known here: method, weight, plugins, particles, gas, drag, forces, mapping, "
             "outsideMesh, "
-            "records, checkpoint");
+            "records, statistics, checkpoint");
     refuses({{"maping", Block{}}}, {}, "unknown entry `maping`", "dict, line 1",
             "did you mean `mapping`? known here: method, weight, plugins, particles, gas, drag, forces, mapping, "
             "outsideMesh, "
-            "records, checkpoint");
+            "records, statistics, checkpoint");
     refuses({{"gas", Block{{"modell", "none"}}}}, {}, "unknown entry `modell`", "dict.gas, line 1",
             "did you mean `model`? known here: model, coupling");
 }

@@ -18,15 +18,17 @@ public:
     using Block = std::vector<Entry>;
     using Names = std::vector<std::string>;
     using Points = std::vector<Vector>;
+    using Numbers = Scalars;
     struct Entry {
         Entry(std::string name, double number) : key(std::move(name)), value(number) {}
         Entry(std::string name, const char* text) : key(std::move(name)), value(std::string(text)) {}
         Entry(std::string name, Names names) : key(std::move(name)), value(std::move(names)) {}
+        Entry(std::string name, Numbers numbers) : key(std::move(name)), value(std::move(numbers)) {}
         Entry(std::string name, Points points) : key(std::move(name)), value(std::move(points)) {}
         Entry(std::string name, Block block) : key(std::move(name)), value(std::move(block)) {}
 
         std::string key;
-        std::variant<double, std::string, Names, Points, Block> value;
+        std::variant<double, std::string, Names, Numbers, Points, Block> value;
     };
 
     FakeDictionary(Block entries, std::string path = "dict") : entries_(std::move(entries)), path_(std::move(path)) {}
@@ -36,6 +38,7 @@ public:
     std::optional<double> number(const std::string& key) const override { return as<double>(key); }
     std::optional<std::string> text(const std::string& key) const override { return as<std::string>(key); }
     std::optional<Names> names(const std::string& key) const override { return as<Names>(key); }
+    std::optional<Numbers> numbers(const std::string& key) const override { return as<Numbers>(key); }
     std::optional<Points> points(const std::string& key) const override { return as<Points>(key); }
     std::unique_ptr<Dictionary> block(const std::string& key) const override;
     std::string written(const std::string& key) const override;

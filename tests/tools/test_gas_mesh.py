@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What an upright plane cuts of a mesh of the gas: cells to their area, walls where they are, in any format, whole or in pieces."""
 
+import dataclasses
 import os
 import shutil
 import sys
@@ -44,6 +45,14 @@ class Cut(unittest.TestCase):
                 self.assertEqual(len(cells), 8 * 12 - 4)
                 self.assertAlmostEqual(sum(map(area, polygons)), 0.4 * 0.6 - 0.1 * 0.1, places=12)
                 numpy.testing.assert_allclose([p.mean(axis=0) for p in polygons], self.centres[cells][:, (0, 2)], atol=1e-12)
+
+    def test_volumes_of_boxes_and_of_cells_that_lean(self):
+        mesh = self.mesh(left_out=tube)
+        box = numpy.prod(numpy.divide(SIZE, CELLS))
+        numpy.testing.assert_allclose(mesh.volumes, box, rtol=1e-12)
+        # a shear keeps volumes, and moves the mesh off the origin
+        leaning = dataclasses.replace(mesh, points=mesh.points @ numpy.array([[1, 0, 0], [0.3, 1, 0], [0.5, -0.2, 1]]) + 7.0)
+        numpy.testing.assert_allclose(leaning.volumes, box, rtol=1e-9)
 
     def test_walls_and_where_gas_passes(self):
         mesh = self.mesh(left_out=tube)

@@ -45,7 +45,7 @@ def commands(text):
 def options(program):
     """The options that a program's --help names, its subcommands' too."""
     told = subprocess.run([os.path.join(SOURCE, program), "--help"], capture_output=True, text=True, timeout=120, check=True).stdout
-    parts = re.search(r"\{([\w,-]+)\} \.\.\.", told)
+    parts = re.search(r"\{([\w,-]+)\}\s+\.\.\.", told)
     for part in parts[1].split(",") if parts else ():
         told += subprocess.run([os.path.join(SOURCE, program), part, "--help"], capture_output=True, text=True, timeout=120, check=True).stdout
     return set(re.findall(r"(?<![\w-])--?[a-zA-Z][\w-]*", told))

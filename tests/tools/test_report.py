@@ -17,7 +17,7 @@ import h5py
 import numpy
 
 import interphase
-from interphase import bed_statistics, report_scene, report_table, time_statistics as statistics
+from interphase import bed_statistics, report_scene, report_table, reporting, run_report, time_statistics as statistics
 from interphase.box_mesh import BoxMesh, box_mesh
 from interphase.commands import report as report_tool
 from interphase.input_error import InputError
@@ -232,6 +232,63 @@ class WholeReport(Folder):
         self.assertEqual((scene.windows.centre, scene.windows.front_depth, report_scene.start_of(file)), (0.0762, 0.003, 10))
 
 
+STATISTICS = "statistics\n{\n" + REPORT_DICT.split("\n", 1)[1] + "}\n"
+
+
+class RowsOfTheRun(Folder):
+    """Runs that took their statistics themselves: rows as the program writes them, made here of the snapshots."""
+
+    def with_rows(self, name):
+        run = self.run_of(name, 60, case=False)
+        self.case(name, scene=None)
+        self.write(name, "system/couplingDict", '#include "$FOAM_CASE/parameters"\n' + STATISTICS)
+        records = reporting.opened(run)
+        windows = report_scene.Windows(2, 0.0, 0.2, 0.15, 0.1, 0.0, 0.01)
+        measured = run_report._measured(records, report_scene.Scene(windows, report_scene.Overlaps((0.0025, 0.01), (50,)), None), lambda _: True, None)
+        with h5py.File(os.path.join(run, "results.h5"), "a") as file:
+            group = file.create_group("statistics")
+            for name_, value in (("count", 2), ("left", 0.0), ("right", 0.2), ("centre", 0.15), ("height", 0.1), ("front", 0.0), ("front_depth", 0.01)):
+                group.attrs[f"windows_{name_}"] = float(value)
+            group.attrs.update({"overlap_shares": [0.0025, 0.01], "voidage_edges": numpy.linspace(0.3, 1, 29), "voidage_limits": [0.5, 0.95],
+                                "voidage_cells": 64.0})
+            for at, depth in enumerate(("front_slice", "full_depth")):
+                group[f"{depth}_number"], group[f"{depth}_real"] = measured.number[:, at], measured.real[:, at]
+                for axis, way in enumerate(("horizontal", "vertical")):
+                    group[f"{depth}_{way}_sum"] = measured.sums[:, at, :, axis]
+                    group[f"{depth}_{way}_temperature"] = measured.temperatures[:, at, :, axis]
+            group["time"], group["spheres"] = measured.time, measured.spheres.astype(float)
+            group["overlap_pairs"], group["overlap_largest"] = measured.pairs.astype(float), measured.largest
+            group["overlap_counts"], group["overlap_below"] = measured.overlap_counts, measured.below
+            group["voidage_counts"] = numpy.tile([0.0] + [2.0] * 28 + [8.0], (60, 1))
+            group["voidage_limit_counts"] = numpy.tile([16.0, 40.0, 8.0], (60, 1))
+        return run
+
+    @staticmethod
+    def numbers(text):
+        """The lines of the table that rows and snapshots both have."""
+        return [" ".join(line.split()) for line in text.splitlines() if re.search(r"\+-|largest", line) and "voidage" not in line]
+
+    def test_are_reported_as_snapshots_are(self):
+        run = self.with_rows("one")
+        of_rows, of_snapshots = self.report(run, "--no-write"), self.report(run, "--no-write", "--snapshots")
+        self.assertRegex(of_rows, r"rows of /statistics +40")
+        self.assertRegex(of_snapshots, r"snapshots +40")
+        self.assertEqual(self.numbers(of_rows), self.numbers(of_snapshots))
+        self.assertRegex(of_rows, r"mapped voidage below 0.5 \[% of cells\] +25 \+- 0")
+        self.assertNotIn("mapped", of_snapshots)
+
+    def test_no_snapshot_is_read(self):
+        run = self.with_rows("one")
+        os.remove(os.path.join(run, "particles.h5"))
+        self.assertRegex(self.report(run), r"rows of /statistics +40")
+        samples = Run(run).samples
+        self.assertEqual(samples["overlap_counts"].values.shape, (60, 750))
+
+    def test_a_run_without_rows_beside_one_that_has_them(self):
+        runs = self.with_rows("one"), self.run_of("two", 60)
+        self.assertIn("two without rows of /statistics: all is measured of snapshots", self.report(*runs, "--no-write"))
+
+
 class WithoutConfiguration(Folder):
     """Runs whose case has no system/reportDict, or one that does not fit."""
 
@@ -287,11 +344,11 @@ class WithoutConfiguration(Folder):
     def test_a_start_beyond_the_end(self):
         """cases/sscp1 says `from 10`; its first second is reported all the same, nothing of it is trusted, and all is told."""
         run = self.run_of("one", 21)
-        for name in ("parameters", "system/reportDict", "system/blockMeshDict"):
+        for name in ("parameters", "system/couplingDict", "system/blockMeshDict"):
             shutil.copy(os.path.join(CASES, "sscp1", name), os.path.join(run, name))
         text = self.report(run)
         self.assertIn("from 0.5 to 1 s (the latter half, as start-up is not known to be over)", text)
-        self.assertRegex(text, r"note: `from` = 10 s of system/reportDict is after what there is in all runs, which ends at 1 s")
+        self.assertRegex(text, r"note: `from` = 10 s of statistics of system/couplingDict is after what there is in all runs, which ends at 1 s")
         self.assertRegex(text, r"A: (\d+) of \1 means have no error that is to be trusted; .* all at [0-9.]+ s")
         self.assertRegex(text, r"bed height \[m\] +0.3 \+- 0 \?")
         self.assertIn("from 0.3 to 1 s (--from)", self.report(run, "--from", 0.3))
@@ -337,11 +394,11 @@ class WithoutConfiguration(Folder):
         self.assertRegex(text, r"note: long: start-up not known to be over: it ends at [0-9.]+ s, what all runs have at 2.95 s")
         self.assertRegex(text, r"B against A: 0 agree, 0 differ, \d+ not judged")
 
-    def test_what_one_run_has_in_its_reportDict_holds_for_all(self):
+    def test_what_one_run_says_holds_for_all(self):
         self.bare("a", 60), self.run_of("b", 60), self.bare("c", 60)
         a, b, c = (os.path.join(self.root, name) for name in "abc")
         text = self.report(a, b, c, "--no-write", "--from", 1)
-        self.assertIn("note: a and c without system/reportDict: measured as that of b says", text)
+        self.assertIn("note: a and c without a block `statistics`: measured as b says", text)
         alone = self.report(b, "--no-write", "--from", 1)
         self.assertEqual(text.split("; ")[1].splitlines()[0], alone.split("; ")[1].splitlines()[0])  # the same windows
 

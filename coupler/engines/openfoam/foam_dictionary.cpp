@@ -95,6 +95,18 @@ std::optional<std::vector<std::string>> FoamDictionary::names(const std::string&
     return found;
 }
 
+std::optional<Scalars> FoamDictionary::numbers(const std::string& key) const
+{
+    const auto tokens = listed_in(tokens_of(dict_, key));
+    if (!tokens) return std::nullopt;
+    Scalars found;
+    for (const Foam::token& token : *tokens) {
+        if (!token.isNumber()) return std::nullopt;
+        found.push_back(token.number());
+    }
+    return found;
+}
+
 std::optional<std::vector<Vector>> FoamDictionary::points(const std::string& key) const
 {
     const auto tokens = listed_in(tokens_of(dict_, key));

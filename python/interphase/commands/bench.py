@@ -11,6 +11,8 @@ Commands:
              parcels of MP-PIC in sscp1, 10^4 to 10^6 of them in the same vessel and mesh (MPPIC).
   phases     A coupled run: the share of each phase in its wall-clock time, what the coupling itself costs
              (mapping + exchange + output), and the whole against solids + gas alone.
+  cost-model The cost of the particles against S, W and N beside the paper's model (eqs. 24 to 28), from beds that bubble; tools/COST.md.
+  statistics What statistics in the run cost on sscp1: a sample, and the share of the time at an interval.
   records    What it costs that nothing is lost, on sscp1: rows, one a gas step; a checkpoint; as shares of the time.
 
 Machines are noisy and often shared, so single seconds mean little: read the ratios, and repeat.
@@ -33,7 +35,7 @@ import statistics
 import sys
 import tempfile
 
-from interphase import Case, InputError, Run, StepFailed, launch, parameters, tables
+from interphase import Case, InputError, Run, StepFailed, cost_study, launch, parameters, stored, tables
 from interphase.commands import bed
 from interphase.tree import CASES
 
@@ -187,6 +189,20 @@ def records(given):
               f"{100 * kept / 600:10.2f} %", flush=True)
 
 
+def statistics_in_run(given):
+    """From what a run itself books for its samples."""
+    print(f"{'method':8s} {'tracked':>8s} {'a sample [ms]':>14s} {'share of the time':>18s}")
+    for method, weight in (("CGPM", 8), ("CGHS", 8), ("MPPIC", 8), ("TDHS", 1)):
+        entries = {"method": method, "weight": weight, "statistics/interval": given.interval, "records/snapshotInterval": 1000,
+                   "system/controlDict:writeInterval": 1000, "checkpoint/wallInterval": 0}  # fmt: skip
+        with tempfile.TemporaryDirectory(prefix="interphase-bench-") as scratch:
+            folder = os.path.join(scratch, "run")
+            _, meta = ran(folder, given.until, **entries)
+            spent = stored.attributes(os.path.join(folder, "results.h5"), "statistics")["wall_time"]
+            samples = len(Run(folder).samples["spheres"].time)
+        print(f"{method:5s}{weight:3d} {meta['particles']:8.0f} {1e3 * spent / samples:14.2f} {100 * spent / meta['wall_time']:16.2f} %", flush=True)
+
+
 def settled_bed(count, settle, steps):
     """Seconds per step of each part, in a bed of `count` spheres of 3.256 mm that has come to rest; contacts per sphere."""
     diameter = 3.256e-3
@@ -239,6 +255,13 @@ def scaling_of_mp_pic(given):
             print(f"{parcels:9d} {1e9 * timing['solids'] / steps:10.1f} {1e9 * coupling / steps:22.1f}", flush=True)
 
 
+def cost_of_the_model(given):
+    if not given.show:
+        with contextlib.nullcontext(given.keep) if given.keep else tempfile.TemporaryDirectory(prefix="interphase-bench-") as scratch:
+            cost_study.study(given.rounds, given.start, scratch, given.table, lambda text: print(text, flush=True))
+    print("\n".join(cost_study.report(given.table)))
+
+
 def main():
     parser = argparse.ArgumentParser(prog="tools/bench", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(dest="command", required=True)
@@ -253,6 +276,9 @@ def main():
     six = commands.add_parser("records", help="rows and checkpoints")
     six.add_argument("--until", type=float, default=0.1, help="simulated seconds of the shorter run (default 0.1)")
     six.add_argument("--interval", type=float, default=0.05, help="between two rows of /series [s] (default 0.05, the case's own); /ledger has one a gas step")
+    seven = commands.add_parser("statistics", help="statistics in the run")
+    seven.add_argument("--until", type=float, default=0.3, help="simulated seconds (default 0.3)")
+    seven.add_argument("--interval", type=float, default=0.05, help="between two samples [s] (default 0.05)")
     three = commands.add_parser("methods", help="DEM, TDHS and CGHS beside each other")
     three.add_argument("--rounds", type=int, default=3)
     three.add_argument("--span", type=float, default=0.03, help="simulated seconds of DEM per round (default 0.03); others six times that")
@@ -268,9 +294,17 @@ def main():
     for one_of in (four, five):
         one_of.add_argument("--settle", type=int, default=1000, help="steps before measuring (default 1000)")
     four.add_argument("--steps", type=int, default=200)
+    seven = commands.add_parser("cost-model", help="cost of the particles against S, W and N, beside the paper's model")
+    seven.add_argument("--rounds", type=int, default=3)
+    seven.add_argument("--start", type=float, default=0.4, help="when the beds are taken [s] (default 0.4)")
+    seven.add_argument("--table", metavar="FILE", default="cost-model.csv", help="what is measured (default cost-model.csv)")
+    seven.add_argument("--keep", metavar="DIR", help="leave the beds there, and take those that are there")
+    seven.add_argument("--show", action="store_true", help="measure nothing: show the table that is there")
     given = parser.parse_args()
     try:
-        {"overhead": overhead, "phases": phases, "methods": methods, "cost": cost, "scaling": scaling, "records": records}[given.command](given)
+        {"overhead": overhead, "phases": phases, "methods": methods, "cost": cost, "scaling": scaling, "records": records,
+         "cost-model": cost_of_the_model,
+         "statistics": statistics_in_run}[given.command](given)
     except (InputError, StepFailed) as error:
         sys.exit(f"bench: {error}")
 

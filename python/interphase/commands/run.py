@@ -284,8 +284,8 @@ def main():
         shutil.rmtree(folder)
     os.makedirs(folder, exist_ok=True)
     command = launch.command(binary, folder, given.ranks)
-    record = {"case": name, "source": case_path, "process": run_state.this_process(), "method": method, "weight": weight, "ranks": given.ranks, "settings": given.settings,
-              "until": given.until, "command": command, "environment": variables}
+    record = {"case": name, "source": case_path, "process": run_state.this_process(), "method": method, "weight": weight, "ranks": given.ranks,
+              "settings": given.settings, "until": given.until, "command": command, "environment": variables}
     run_state.write(folder, record)
     case_folder.copy(case_path, folder)
     case.write_into(folder)
@@ -307,16 +307,17 @@ def run(given, name, folder, gas, command, record, log, variables, environment, 
     say(f"running\n  cd {folder}\n  {launch.as_typed(command, variables)}")
     if given.wall_limit is not None:
         command = [*command, "-wallLimit", given.wall_limit]
-    started = time.time()
+    started, before = time.time(), launch.cpu_of_children()
     passed_on = []
     watch = until_error.Watch(given.until_error, folder) if given.until_error else None
     code = launch.run(command, log, environment, folder, given.quiet, passed_on, watch)
-    if watch is not None:
-        if watch.refused and not passed_on:
-            raise InputError(f"{watch.refused}. The run was stopped; what it recorded is in {folder}{ending.way_to_go_on(given.case, folder)}")
-        if watch.reached and not passed_on and code == 128 + signal.SIGUSR2:
-            code = 0
-    run_state.write(folder, {**record, "exit_code": code, "wall_time": round(time.time() - started, 3)})
+    if watch is not None and watch.reached and not passed_on and code == 128 + signal.SIGUSR2:
+        code = 0
+    spent = record.get("cpu_time", None if given.resume else 0.0)  # of all parts; unknown where an earlier one was killed before it told
+    spent = None if spent is None else round(spent + launch.cpu_of_children() - before, 3)
+    run_state.write(folder, {**record, "exit_code": code, "wall_time": round(time.time() - started, 3), "cpu_time": spent})
+    if watch is not None and watch.refused and not passed_on:
+        raise InputError(f"{watch.refused}. The run was stopped; what it recorded is in {folder}{ending.way_to_go_on(given.case, folder)}")
     go_on = ending.way_to_go_on(given.case, folder)
     stopped = ending.stopped_by(code, passed_on)
     if stopped:

@@ -4,12 +4,10 @@
 #include <mpi.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <functional>
-#include <unordered_map>
 
 #include "atom.h"
+#include "base/close_spheres.hpp"
 #include "fix_mesh_surface.h"
 #include "fix_neighlist_mesh.h"
 #include "lammps.h"
@@ -32,66 +30,19 @@ namespace {
 
 using Seen = std::function<void(int first, int second, double depth)>;  ///< second below 0: a wall
 
-/// Cells of spheres of one size class, all less than half as wide as a cell.
-class SizeClass {
-public:
-    explicit SizeClass(double cell) : cell_(cell) {}
-
-    void add(const double* x, int i) { cells_[key(index(x[0]), index(x[1]), index(x[2]))].push_back(i); }
-
-    template <class Visit>
-    void near(const double* x, const Visit& visit) const
-    {
-        for (int a = -1; a <= 1; ++a)
-            for (int b = -1; b <= 1; ++b)
-                for (int c = -1; c <= 1; ++c) {
-                    const auto cell = cells_.find(key(index(x[0]) + a, index(x[1]) + b, index(x[2]) + c));
-                    if (cell == cells_.end()) continue;
-                    for (const int i : cell->second)
-                        visit(i);
-                }
-    }
-
-private:
-    std::int64_t index(double x) const { return static_cast<std::int64_t>(std::floor(x / cell_)); }
-    static std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z)
-    {
-        constexpr std::uint64_t mask = (1u << 21) - 1;  // far places may share a key; distances tell them apart
-        return (static_cast<std::uint64_t>(x) & mask) << 42 | (static_cast<std::uint64_t>(y) & mask) << 21 |
-               (static_cast<std::uint64_t>(z) & mask);
-    }
-
-    double cell_;
-    std::unordered_map<std::uint64_t, std::vector<int>> cells_;
-};
-
 /// Each pair that touches is seen by one rank: the one that owns the particle of the lower number.
 void see_pairs(const LAMMPS_NS::Atom& atom, const Seen& see)
 {
     const int count = atom.nlocal + atom.nghost;
     if (count == 0) return;
-    const double smallest = *std::min_element(atom.radius, atom.radius + count);
-    const auto class_of = [&](int i) {
-        return static_cast<std::size_t>(std::max(0, std::ilogb(atom.radius[i] / smallest)));
-    };
-    std::vector<SizeClass> classes;
-    for (int i = 0; i < count; ++i) {
-        while (classes.size() <= class_of(i))
-            classes.emplace_back(4 * smallest * std::ldexp(1.0, static_cast<int>(classes.size())));
-        classes[class_of(i)].add(atom.x[i], i);
-    }
-    for (int i = 0; i < count; ++i)
-        for (std::size_t k = class_of(i); k < classes.size(); ++k)
-            classes[k].near(atom.x[i], [&](int j) {
-                if (atom.tag[i] == atom.tag[j] || (k == class_of(i) && j <= i)) return;  // found from j, too
-                const bool i_first = atom.tag[i] < atom.tag[j];
-                if ((i_first ? i : j) >= atom.nlocal) return;
-                const double* a = atom.x[i];
-                const double* b = atom.x[j];
-                const double distance = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-                const double depth = atom.radius[i] + atom.radius[j] - distance;
-                see(i_first ? i : j, i_first ? j : i, depth / std::min(atom.radius[i], atom.radius[j]));
-            });
+    const CloseSpheres spheres(atom.x[0], atom.radius, static_cast<std::size_t>(count));
+    spheres.for_each_overlap([&](std::size_t a, std::size_t b, double depth) {
+        const int i = static_cast<int>(a), j = static_cast<int>(b);
+        if (atom.tag[i] == atom.tag[j]) return;
+        const bool i_first = atom.tag[i] < atom.tag[j];
+        if ((i_first ? i : j) >= atom.nlocal) return;
+        see(i_first ? i : j, i_first ? j : i, depth / std::min(atom.radius[i], atom.radius[j]));
+    });
 }
 
 void see_meshes(const LAMMPS_NS::Atom& atom, const LAMMPS_NS::FixWallGran& wall, const Seen& see)

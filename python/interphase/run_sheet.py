@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""All that a page says of one run, its pictures apart; and how it is kept as a small text file that the page can be made of again.
+
+A file is JSON, an object for each dataclass with its class's name in `class`, of several in a list with `columns`. Numbers keep DIGITS digits. One that another
+version has written is read as far as it says the same: what a class has no more is refused, what it has more keeps its default.
+"""
+
+import dataclasses
+import importlib
+import json
+import math
+import os
+from dataclasses import dataclass
+from typing import Optional
+
+import numpy
+
+from interphase import gas_profile, reporting, run_account
+from interphase.input_error import InputError
+from interphase.report_scene import Scene
+from interphase.run_account import Account
+from interphase.run_report import RunReport
+
+KIND = "sheet of a run of interphase"
+END = ".sheet.json"
+DIGITS = 7
+MOST_ROWS = 600  # of a series that is kept for its curve
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """`name` of the run; what it was (`account`) and measured (`report`, of `scene`) from `start` to `end` [s], a range that came about by `how`.
+    `profile`: (height, pressure, error) of the gas's mean pressure, None where `profile_missing` says why."""
+
+    name: str
+    account: Account
+    report: RunReport
+    scene: Scene
+    start: float
+    end: float
+    how: str
+    profile: Optional[tuple] = None
+    profile_missing: str = ""
+
+
+def of_reported(runs, found):
+    """[`Sheet`] of the `Records` and what reporting.reported has found of them."""
+    sheets = []
+    for name, run, report in zip(found.names, runs, found.reports):
+        profile, missing = gas_profile.pressure_profile(run.path, found.range.start, found.range.end)
+        sheets.append(Sheet(name, run_account.of_run(run), report, found.scene, found.range.start, found.range.end, found.range.how, profile, missing))
+    return sheets
+
+
+def each_over_its_own_time(runs, starts=None, scene_file=None, every=1, progress=lambda *_: None, snapshots=False):
+    """([`Sheet`], notes) of `Records`, each measured from its entry of `starts` [s] (None: as tools/report finds it) to its own end; what is measured is the same
+    in all. For runs of different length."""
+    scene, snapshots, notes = reporting.scene_of_all(runs, scene_file, snapshots or every > 1)
+    found = [reporting.reported([run], start, None, scene_file, every, progress, snapshots, scene) for run, start in zip(runs, starts or [None] * len(runs))]
+    sheets = [sheet for run, each in zip(runs, found) for sheet in of_reported([run], each)]
+    sheets = [dataclasses.replace(sheet, name=name) for sheet, name in zip(sheets, reporting.names_of(runs))]
+    return sheets, list(dict.fromkeys(notes + [note for each in found for note in each.notes]))
+
+
+def store(folder, sheets):
+    """Write each into `folder`; the paths."""
+    os.makedirs(folder, exist_ok=True)
+    paths = []
+    for sheet in sheets:
+        path = os.path.join(folder, sheet.name.replace(os.sep, "_") + END)
+        with open(path + ".new", "w", encoding="utf-8") as stream:
+            stream.write(as_text(sheet))
+        os.replace(path + ".new", path)
+        paths.append(path)
+    return paths
+
+
+def stored_in(folder):
+    """Paths of the sheets in `folder`, sorted."""
+    if not os.path.isdir(folder):
+        return []
+    return [os.path.join(folder, name) for name in sorted(os.listdir(folder)) if name.endswith(END)]
+
+
+def read(path):
+    """The `Sheet` at `path`; InputError where it is none that can be read."""
+    try:
+        with open(path, encoding="utf-8") as stream:
+            found = json.load(stream)
+        if found.get("kind") != KIND:
+            raise InputError(f"{path}: is no sheet of a run; tools/report RUN --store DIR writes them")
+        sheet = _decoded(found["sheet"])
+        if not isinstance(sheet, Sheet):
+            raise KeyError("Sheet")
+        return sheet
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, ModuleNotFoundError) as error:
+        raise InputError(f"{path}: cannot be read as the sheet of a run: {error}; it may be of another version: store it again by tools/report "
+                         "RUN --store DIR") from None  # fmt: skip
+
+
+def as_text(sheet):
+    """The file's text."""
+    report = dataclasses.replace(sheet.report)
+    if report.pressure is not None and len(report.pressure[0]) > MOST_ROWS:
+        report.pressure = None if report.spectrum is not None else tuple(each[:: -(-len(each) // MOST_ROWS)] for each in report.pressure)
+    encoded = _encoded(dataclasses.replace(sheet, report=report))
+    inside = encoded.pop("report")
+    # A line for each part, so that one finds one's way and versions can be compared.
+    lines = [f'"{name}": {_line(value)}' for name, value in encoded.items()]
+    lines.append('"report": {\n  ' + ",\n  ".join(f'"{name}": {_line(value)}' for name, value in inside.items()) + "}")
+    return f'{{"kind": "{KIND}",\n"sheet": {{' + ",\n".join(lines) + "}}\n"
+
+
+def _line(value):
+    return json.dumps(value, allow_nan=False, separators=(",", ":"), ensure_ascii=False)
+
+
+def _encoded(value):
+    if dataclasses.is_dataclass(value):
+        return {"class": _name(value), **_fields(value)}
+    if isinstance(value, numpy.ndarray):
+        return {"array": _numbers(value.tolist())}
+    if isinstance(value, numpy.generic):
+        return _encoded(value.item())
+    if isinstance(value, float):
+        if not math.isfinite(value):
+            return {"number": repr(value)}
+        return _shortened(value)
+    if isinstance(value, tuple):
+        return {"tuple": [_encoded(each) for each in value]}
+    if isinstance(value, list):
+        if len(value) > 1 and dataclasses.is_dataclass(value[0]) and all(type(each) is type(value[0]) for each in value):
+            names = [each.name for each in dataclasses.fields(value[0])]
+            return {"class": _name(value[0]), "columns": {name: _encoded([getattr(each, name) for each in value]) for name in names}}
+        return [_encoded(each) for each in value]
+    if isinstance(value, dict):
+        return {"map": {str(key): _encoded(each) for key, each in value.items()}}
+    return value
+
+
+def _shortened(value):
+    short = float(f"{value:.{DIGITS}g}")
+    return int(short) if short == int(short) and abs(short) < 1e15 else short
+
+
+def _numbers(values):
+    """Of an array, as lists; what is not finite is null."""
+    if isinstance(values, list):
+        return [_numbers(each) for each in values]
+    return _shortened(float(values)) if math.isfinite(values) else None
+
+
+def _name(value):
+    return f"{type(value).__module__.removeprefix('interphase.')}.{type(value).__name__}"
+
+
+def _fields(value):
+    return {each.name: _encoded(getattr(value, each.name)) for each in dataclasses.fields(value)}
+
+
+def _decoded(value):
+    if isinstance(value, list):
+        return [_decoded(each) for each in value]
+    if not isinstance(value, dict):
+        return value
+    if "class" in value:
+        return _object(value)
+    if "number" in value:
+        return float(value["number"])
+    if "array" in value:
+        return numpy.array(value["array"], dtype=float)  # of null it makes NaN
+    if "tuple" in value:
+        return tuple(_decoded(each) for each in value["tuple"])
+    return {key: _decoded(each) for key, each in value["map"].items()}
+
+
+def _object(value):
+    module, _, name = value["class"].rpartition(".")
+    if not module.isidentifier():
+        raise KeyError(value["class"])
+    kind = getattr(importlib.import_module(f"interphase.{module}"), name)
+    if not dataclasses.is_dataclass(kind):
+        raise KeyError(value["class"])
+    if "columns" in value:
+        columns = {key: _decoded(each) for key, each in value["columns"].items()}
+        return [kind(**dict(zip(columns, row))) for row in zip(*columns.values())]
+    return kind(**{key: _decoded(each) for key, each in value.items() if key != "class"})
