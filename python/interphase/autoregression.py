@@ -31,13 +31,23 @@ def burg(series, longest):
 
 def fitted(series):
     """(phi, variance of the noise) of the order with the least Akaike criterion (IEEE Trans. Autom. Control 19 (1974) 716), of a
-    series [n] of mean zero that is no constant."""
+    series [n] of mean zero that is no constant: the order that tells the spectrum best."""
+    return _fitted(series, 2.0)
+
+
+def surely_fitted(series):
+    """The same by the criterion of G. Schwarz (Ann. Stat. 6 (1978) 461), which takes no coefficient that chance may have made: Akaike's would give
+    white noise of 100 samples a memory of more than 5 in 9 of 100 records."""
+    return _fitted(series, math.log(len(series)))
+
+
+def _fitted(series, penalty):
     count = len(series)
     best = None
     for phi, noise in burg(series, min(int(10 * math.log10(count)), count // 4)):
         if noise <= 0:
             break
-        criterion = count * math.log(noise) + 2 * len(phi)
+        criterion = count * math.log(noise) + penalty * len(phi)
         if best is None or criterion < best[0]:
             best = criterion, phi, noise
     return best[1:]

@@ -6,10 +6,10 @@ import os
 
 from interphase import case_folder, parameters
 from interphase.case_folder import COUPLING, PARAMETERS
-from interphase.commands.run import default_folder
 from interphase.input_error import InputError
 from interphase.launched import Launched
-from interphase.run import Run
+from interphase.run import Run, until_error_words
+from interphase.run_folder import default_folder
 from interphase.tree import CASES
 
 
@@ -87,11 +87,13 @@ class Case:
         values = parameters.values_of(self._dictionaries.text(PARAMETERS))
         return {name: parameters.numbers(value) if isinstance(value, str) else value for name, value in values.items()}
 
-    def run(self, out=None, ranks=1, until=None, start=None, wall_limit=None, overwrite=False, picture=False, quiet=True, wait=True):
+    def run(self, out=None, ranks=1, until=None, start=None, wall_limit=None, overwrite=False, picture=False, quiet=True, wait=True,
+            until_error=()):
         """The `Run` of this case in the folder `out` (default: that of tools/run), on `ranks` MPI ranks to the simulated time `until` [s]
         (default: the case's).
 
-        `start`: "RUN@TIME", whose bed and gas it begins with; `wall_limit` [s] of wall time; `picture`: draw bed.png; `quiet`: the
+        `start`: "RUN@TIME", whose bed and gas it begins with; `wall_limit` [s] of wall time; `until_error`: "pressure_drop 2%", or several, at
+        which standard errors of means it ends before; `picture`: draw bed.png; `quiet`: the
         program's output goes into its log only. With `wait` false it returns once the run has begun: run.state, run.wait(), run.stop().
         A run that does not reach its end is returned, too, with the reason on standard error: see run.ok. InputError where the case is
         refused, or `out` holds an earlier run and not `overwrite`; StepFailed where a step before the program fails (build, mesh, prepare).
@@ -105,6 +107,7 @@ class Case:
             words += [] if text is None else [name, as_written(text)]
         for name, text in self._settings.items():
             words += ["--set", f"{name}={text}"]
+        words += until_error_words(until_error)
         words += ["--overwrite"] * bool(overwrite) + ["--no-picture"] * (not picture)
         launched = Launched(words, folder, quiet)
         launched.wait() if wait else launched.accepted()

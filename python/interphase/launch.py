@@ -134,13 +134,14 @@ def how_it_ended(returncode):
         return f"(killed by signal {-returncode})"
 
 
-def run(arguments, log, environment, folder, quiet=False, passed_on=None):
+def run(arguments, log, environment, folder, quiet=False, passed_on=None, watch=None):
     """Run the program, its output shown as it comes and kept in `log`; returns the exit code.
 
     SIGINT, SIGTERM and SIGHUP (as SIGTERM) go on to the program and are added to the list `passed_on`: it ends after the
     step in progress, by a second one at once. mpirun ends its ranks for each of them, with an exit code of its own: the
     first goes through it as SIGUSR2. The program gets its own session, so that a Ctrl-C reaches it once.
     A program killed by signal n gives 128 + n, as in a shell, and so does one that has stopped for it.
+    `watch` (until_error.Watch) may end it, too, by SIGUSR2.
     """
     passed_on = [] if passed_on is None else passed_on
     by_mpirun = os.path.basename(arguments[0]) == "mpirun"
@@ -161,6 +162,8 @@ def run(arguments, log, environment, folder, quiet=False, passed_on=None):
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             if signal.getsignal(number) != signal.SIG_IGN:  # nohup stays nohup
                 before[number] = signal.signal(number, forward)
+        if watch is not None:
+            watch.start(lambda: program.send_signal(signal.SIGUSR2))
         try:
             shown = not quiet
             while chunk := os.read(program.stdout.fileno(), 65536):
@@ -170,6 +173,8 @@ def run(arguments, log, environment, folder, quiet=False, passed_on=None):
                     shown = _show(chunk)
             code = program.wait()
         finally:
+            if watch is not None:
+                watch.end()
             for number, handler in before.items():
                 signal.signal(number, handler)
     code = code if code >= 0 else 128 - code

@@ -131,7 +131,7 @@ class Run:
         self._launched.stop() if self._launched is not None else os.kill(process, signal.SIGTERM)
         return self.wait() if wait else self
 
-    def resume(self, until=None, ranks=None, wall_limit=None, picture=False, quiet=True, wait=True):
+    def resume(self, until=None, ranks=None, wall_limit=None, picture=False, quiet=True, wait=True, until_error=()):
         """Go on from the newest whole checkpoint, to `until` [s] where it is given, on as many ranks or on `ranks`; the rest is as of
         Case.run. InputError where the run still goes, or has no checkpoint."""
         if self.state == run_state.RUNNING:
@@ -139,6 +139,7 @@ class Run:
         words = [self._source(), "--resume", *["--no-picture"] * (not picture)]
         for name, value in (("--until", until), ("--ranks", ranks), ("--wall-limit", wall_limit)):
             words += [] if value is None else [name, str(value)]
+        words += until_error_words(until_error)
         self._launched = Launched(words, self.path, quiet)
         if wait:
             return self.wait()
@@ -159,6 +160,11 @@ class Run:
 
     def __repr__(self):
         return f"<Run {self.path}: {self.state}>"
+
+
+def until_error_words(until_error):
+    """Words of tools/run for `until_error`, one "pressure_drop 2%" or several."""
+    return [word for each in ([until_error] if isinstance(until_error, str) else until_error) for word in ("--until-error", each)]
 
 
 NO_PRESSURE_DROP = ("no pressure drop was recorded: the case has no pressure taps, or no gas; `records { pressureTaps ((x y z) (x y z)); }` in "

@@ -8,7 +8,7 @@ enters, so that mean / error has Student's t distribution of B degrees of freedo
 1331; E. Lazarus, D. J. Lewis, J. H. Stock, M. W. Watson, J. Bus. Econ. Stat. 36 (2018) 541). It looks at the slow end of the
 spectrum alone: neither the sampling rate nor a slugging bed's oscillation enters. What the spectrum falls between zero and the
 last cosine is taken out by the shape of an autoregressive model (prewhitening: P. Heidelberger, P. D. Welch, Commun. ACM 24 (1981)
-233, fit a polynomial there). B is 8, more, up to 24, in a record of more than 160 times its memory.
+233, fit a polynomial there). B is 8, more, up to 64, in a record of more than 160 times its memory.
 
 Three others were tried. S(0) of the autoregressive model itself (K. N. Berk, Ann. Stat. 2 (1974) 489; M. B. Thompson, arXiv:1011.0175) is
 as good for series that such a model made; where a tenth of a slugging bed's variance was of a slow motion, or a fiftieth, its 95 % bars covered
@@ -28,7 +28,7 @@ from interphase import autoregression
 
 MINIMUM_SAMPLES = 20
 MINIMUM_TIMES = 20  # of its memory that a record must last
-FEWEST_COSINES, MOST_COSINES = 8, 24
+FEWEST_COSINES, MOST_COSINES = 8, 64
 TIMES_A_COSINE = 20  # B = the record over so many times its memory
 # A line through the record is in the first cosine (96 % of its square); a steady record has it this rarely so far above the others.
 DRIFT_CHANCE = 0.001
@@ -98,10 +98,11 @@ def _slow(series):
         return None
     count = len(averages)
     phi, _ = autoregression.fitted(averages)
-    memory = block * autoregression.memory(phi)
+    memory = autoregression.memory(autoregression.surely_fitted(averages)[0])
     if block > 1:
+        # What two averages remember may be a part of one; finer ones tell that better.
         finer, size = _averaged(series, FINE)
-        memory = max(memory, size * autoregression.memory(autoregression.fitted(finer)[0]))
+        memory = max(memory * block * (memory > 2), size * autoregression.memory(autoregression.surely_fitted(finer)[0]))
     cosines = int(min(max(count * block / (TIMES_A_COSINE * memory) if memory else MOST_COSINES, FEWEST_COSINES), MOST_COSINES, count // 3))
     power = fft.dct(averages, norm="ortho")[1:cosines + 1] ** 2
     others = float(power[1:FEWEST_COSINES].mean()) if cosines > 1 else 0.0

@@ -13,7 +13,7 @@ import signal
 import subprocess
 import time
 
-from interphase import case_folder, ending, foam_file, launch
+from interphase import case_folder, ending, foam_file, launch, run_folder
 from interphase.commands import run
 from interphase.input_error import InputError
 from interphase.tree import REPOSITORY
@@ -239,7 +239,7 @@ class Folders(Bench):
         self.assertTrue(os.path.exists(os.path.join(self.out, "README.md")))
 
     def test_default_names(self):
-        name = run.default_folder
+        name = run_folder.default_folder
         self.assertEqual(name("/c/bed", "CGPM", 8.0, 1), os.path.join(REPOSITORY, "runs/bed-CGPM-w8"))
         self.assertEqual(name("/c/bed", "DEM", 1.0, 4), os.path.join(REPOSITORY, "runs/bed-DEM-w1-4ranks"))
 

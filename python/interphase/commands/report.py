@@ -25,14 +25,16 @@ from the snapshots of particles.h5:
                          reaches into several cells is divided by 64 points); the mapping of the run plays no part
   mapped voidage         from rows: of every cell of the gas's mesh, as the gas has it, spread by the mapping
 
-and from /series of results.h5: pressure drop (mean, standard deviation, spectrum), bed height, kinetic energy.
+and from /series of results.h5: pressure drop (mean, standard deviation, spectrum
+with its 95 % band, strongest frequency where a peak stands out of it), bed height, kinetic energy.
 
 Windows are read in a slice at the front wall (front) and over the whole depth (full). Both are written, one is shown:
 front if each run tracks real particles, else full, since parcels are thicker than the slice.
 
 Each number comes with the standard error of its mean, autocorrelation taken in. With several runs each is compared
 with the first: the difference over its standard error sqrt(s1^2 + s2^2), and whether they agree (Welch's t,
---confidence for all quantities together). Records under 20 samples, or that drift, are not judged; the last lines say
+--confidence for all quantities together). Records under 20 samples, shorter than 20 times
+their memory, or that drift, are not judged; the last lines say
 how long the run would have to be, as far as the record shows.
 
 The numbers go into each run's results.h5, below /profiles and /histograms, units as attributes; a second report

@@ -7,17 +7,17 @@ is needed to start: tools/setup installs the rest.
 
 import argparse
 import os
-import re
 import shutil
+import signal
 import subprocess
 import sys
 import time
 
-from interphase import case_folder, earlier_run, ending, exits, launch, mesh_choice, parts, run_state
+from interphase import case_folder, earlier_run, ending, exits, launch, mesh_choice, parts, run_state, until_error
 from interphase.case_folder import CONTROL, COUPLING, PARAMETERS
 from interphase.input_error import InputError
 from interphase.missing import words_on
-from interphase.run_state import MARK
+from interphase.run_folder import check_folder, default_folder
 from interphase.tree import CASES, REPOSITORY, TOOLS, with_package
 
 
@@ -27,6 +27,7 @@ EXAMPLES = """examples:
   tools/run cases/sscp1 --set system/couplingDict:drag/law=Gidaspow --out runs/gidaspow
   tools/run cases/sscp1 --set mapping/width=0.02 --set 'forces=(virtualMass)'
   tools/run cases/sscp1 --out runs/gidaspow --resume --until 2
+  tools/run cases/sscp1 --until 60 --until-error "pressure_drop 2%" --until-error "bed_height 0.005 m"
   tools/run cases/sscp1 --method CGHS --weight 8 --from runs/sscp1-CGPM-w8@0.7 --set inletVelocity=3.28
 
 --set names an entry of the case's file `parameters`, one of system/couplingDict (mapping/width), or FILE:ENTRY of any other file in
@@ -83,6 +84,11 @@ def arguments():
         help="end, with a checkpoint from which --resume goes on, before the run has taken S seconds of wall time",
     )
     parser.add_argument(
+        "--until-error", metavar='"NAME E"', action="append", default=[], dest="until_error",
+        help="end the run as soon as the mean of a series of /series, start-up left out, has a standard error of E at most (95 %% bars: 2.0 to 2.3 of "
+        'them): "pressure_drop 2%%", "bed_height 0.002 m"; may be given again, then all must be reached; --until ends it all the same',
+    )
+    parser.add_argument(
         "--from", metavar="RUN[@T]", dest="start",
         help="start with the bed and gas that the run in the folder RUN had at T s (default: its last snapshot)",
     )
@@ -95,6 +101,7 @@ def arguments():
         raise InputError(f"--ranks {given.ranks}: at least one rank is needed")
     if given.wall_limit is not None and not is_time(given.wall_limit):
         raise InputError(f"--wall-limit {given.wall_limit}: give the seconds that the run may take, above 0")
+    given.until_error = [until_error.target(text) for text in given.until_error]
     for option, there in (("--overwrite", given.overwrite), ("--set", given.settings), ("--from", given.start)):
         if given.resume and there:
             raise InputError(f"--resume and {option}: a run goes on as it is; leave one of them away")
@@ -146,32 +153,6 @@ def apply_settings(case, given):
             raise InputError(f"--until {chosen['until']}: give a time in s, above 0")
         case.set_at_source(CONTROL, "endTime", chosen["until"])
     return case_folder.set_method_and_weight(case, chosen["method"], chosen["weight"])
-
-
-def default_folder(case_path, method, weight, ranks):
-    name = f"{os.path.basename(case_path)}-{method}-w{weight:g}" + (f"-{ranks}ranks" if ranks > 1 else "")
-    return os.path.join(REPOSITORY, "runs", name)
-
-
-def check_folder(folder, case_path, overwrite):
-    """Refuse a folder that the engines cannot take, or that holds what must not be lost."""
-    unfit = re.search(r"[\s\"';{}$\\]", folder)
-    if unfit:
-        raise InputError(f"'{folder}': OpenFOAM bears no '{unfit[0]}' in a path; give another folder by --out DIR")
-    inside = os.path.realpath(folder)
-    case = os.path.realpath(case_path)
-    if os.path.commonpath([inside, case]) in (inside, case):
-        raise InputError(f"{folder}: the run's folder and the case {case_path} must lie apart; give another --out DIR")
-    if not os.path.lexists(folder):
-        return
-    if not os.path.isdir(folder):
-        raise InputError(f"{folder} is a file; give another folder by --out DIR")
-    if not os.listdir(folder):
-        return
-    if not os.path.isfile(os.path.join(folder, MARK)):
-        raise InputError(f"{folder} holds files that are no run of tools/run: they stay; give another folder by --out DIR")
-    if not overwrite:
-        raise InputError(f"{folder} holds an earlier run: --overwrite replaces it, --out DIR writes elsewhere")
 
 
 def program(quiet):
@@ -328,10 +309,15 @@ def run(given, name, folder, gas, command, record, log, variables, environment, 
         command = [*command, "-wallLimit", given.wall_limit]
     started, before = time.time(), launch.cpu_of_children()
     passed_on = []
-    code = launch.run(command, log, environment, folder, given.quiet, passed_on)
+    watch = until_error.Watch(given.until_error, folder) if given.until_error else None
+    code = launch.run(command, log, environment, folder, given.quiet, passed_on, watch)
+    if watch is not None and watch.reached and not passed_on and code == 128 + signal.SIGUSR2:
+        code = 0
     spent = record.get("cpu_time", None if given.resume else 0.0)  # of all parts; unknown where an earlier one was killed before it told
     spent = None if spent is None else round(spent + launch.cpu_of_children() - before, 3)
     run_state.write(folder, {**record, "exit_code": code, "wall_time": round(time.time() - started, 3), "cpu_time": spent})
+    if watch is not None and watch.refused and not passed_on:
+        raise InputError(f"{watch.refused}. The run was stopped; what it recorded is in {folder}{ending.way_to_go_on(given.case, folder)}")
     go_on = ending.way_to_go_on(given.case, folder)
     stopped = ending.stopped_by(code, passed_on)
     if stopped:
@@ -342,6 +328,8 @@ def run(given, name, folder, gas, command, record, log, variables, environment, 
         print(f"tools/run: {ending.closing_words(code, log, folder, given.quiet, go_on)}", file=sys.stderr)
         return code
     finish(folder, name, gas, given.ranks, not given.no_picture, environment, say)
+    for line in watch.told() if watch else ():
+        say(line)
     return 0
 
 

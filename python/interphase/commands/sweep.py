@@ -15,6 +15,7 @@ from interphase.command_line import Parser, count, end_time, time
 from interphase.commands import run as tools_run
 from interphase.input_error import InputError
 from interphase.missing import module
+from interphase.run_folder import check_folder
 from interphase.sweep_runs import DONE, GO_ON, HOLE, NEW, RUNNING
 from interphase.tree import CASES, REPOSITORY
 
@@ -127,7 +128,7 @@ def main():
     jobs = jobs_of(given)
     name = os.path.basename(case)
     folder = os.path.abspath(given.out or os.path.join(REPOSITORY, "runs", f"sweep-{name}"))
-    tools_run.check_folder(os.path.join(folder, points[0].name), case, overwrite=True)
+    check_folder(os.path.join(folder, points[0].name), case, overwrite=True)
     digest = sweep_plan.digest(case)
     os.makedirs(folder, exist_ok=True)
     with locked(folder):
