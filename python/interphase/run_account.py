@@ -14,6 +14,7 @@ import numpy
 from interphase import run_state, stored
 from interphase.time_statistics import mean_with_error
 from interphase.tree import REPOSITORY
+from interphase.whole_records import whole_rows
 
 PHASES = ("solids", "gas", "mapping", "exchange", "output", "waiting", "setup")
 # Of the paper's three: what the program times of its coupling; the rest is neither's.
@@ -123,7 +124,9 @@ def command_of(run):
 
 
 def cost_of(run, simulated, wall, cpu, ranks):
-    """The `Cost` of `Records`; None where neither /meta nor the log tells a time."""
+    """The `Cost` of `Records`; None where neither /processor_time nor /meta nor the log tells a time."""
+    if (by_rows := _of_rows(run)) is not None:
+        return by_rows
     so_far, paces = _paces(run)
     if math.isnan(wall) and math.isnan(cpu):
         if not len(paces):
@@ -140,6 +143,23 @@ def cost_of(run, simulated, wall, cpu, ranks):
     # /timing is in wall time, the slowest rank's: its shares are those of the cost
     phases = {name: value * part / total for name, part in known.items()} if total > 0 else {}
     return Cost(value, error, kind, phases)
+
+
+def _of_rows(run):
+    """The `Cost` by the rows of /processor_time: how it changes from row to row tells its error. None where there are none."""
+    if run.results is None:
+        return None
+    with stored.open_h5(run.results) as file:
+        if "processor_time" not in file or (count := whole_rows(file["processor_time"])) < 2:
+            return None
+        spent = {name: data[:count] for name, data in file["processor_time"].items()}
+    time = spent.pop("time")
+    spent.pop("setup", None)  # once a run, and not for each simulated second
+    simulated = float(time[-1] - time[0])
+    phases = {name: float(seconds[-1] - seconds[0]) / simulated for name, seconds in spent.items()}
+    paces = numpy.diff(sum(spent.values())) / numpy.diff(time)
+    error = mean_with_error(paces).error if len(paces) >= FEWEST_LINES else math.nan
+    return Cost(sum(phases.values()), error, CPU, phases)
 
 
 LINES_OF_PROGRESS = re.compile(rb"^t = ([\d.e+-]+) +s +\d+ % +([\d.e+-]+) s/s", re.M)
