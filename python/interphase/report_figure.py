@@ -139,7 +139,7 @@ def _pressure(axes, reports):
     if all(report.spectrum is not None for _, report in some):
         for at, report in some:
             found = report.spectrum
-            axes.semilogy(found.frequency, found.power, **style(at))
+            axes.loglog(found.frequency, found.power, **style(at))
             axes.fill_between(found.frequency, found.low, found.high, color=style(at)["color"], alpha=0.15, linewidth=0)
         axes.set(xlabel="frequency [Hz]", ylabel="pressure drop, power [Pa²/Hz]")
         return
