@@ -241,7 +241,7 @@ TEST(Reader, DescribesWhatItIsAskedFor)
         {"inside", "title", "text", "", "what it is called"},
         {"inside", "parts", "list of names", "()", "what it is made of"},
         {"inside", "colours", "list of red | blue", "()", "what it is painted in"},
-        {"inside", "ends", "2 points [m]", "none", "where it ends"}};
+        {"inside", "ends", "2 points or more [m]", "none", "where it ends"}};
     std::vector<std::vector<std::string>> described;
     for (const KeyDescription& key : keys)
         described.push_back({key.block, key.name, key.values, key.fallback, key.meaning});
