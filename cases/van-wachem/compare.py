@@ -25,7 +25,7 @@ import numpy
 from interphase import InputError, Run, parameters, tables
 from interphase.drag_laws import LAWS
 from interphase.fluidization import Grain
-from interphase.spectrum import spectrum, strongest_frequency
+from interphase.spectrum import power_spectrum, strongest_frequency
 from interphase.time_statistics import mean_with_error
 
 CASE = os.path.dirname(os.path.realpath(__file__))
@@ -78,7 +78,7 @@ def deviation(values):
 
 def density(times, values):
     """(frequency, power density, its limits) [4, n] of a series up to HIGHEST."""
-    found = spectrum(times, values)
+    found = power_spectrum(times, values)
     return numpy.array([found.frequency, found.power, found.low, found.high])[:, found.frequency <= HIGHEST]
 
 
