@@ -478,14 +478,14 @@ class Statistics(Folder):
         pair = []
         for side, size in (("a", 1), ("b", 0.1)):
             drift = 1 + 0.04 * correlated(random, [0.98], 60)  # 60 samples, autocorrelation time 50; deviation 0.2
-            slow = 1 + 0.05 * correlated(random, [0.8], 60)
+            slow = 1 + 0.05 * correlated(random, [0.78], 60)
             pair.append(self.record(side, kinetic_energy=size * drift, spin=size * slow, pressure_drop=steady[side]))
         code, report, _ = self.compare(*pair, "--statistics", "--only", "series/kinetic_energy,series/pressure_drop")
         rows = {row["name"]: row for row in report["statistics"]}
         self.assertEqual((code, rows["series/pressure_drop"]["verdict"]), (3, "indistinguishable"), report)
         self.assertTrue(rows["series/kinetic_energy"]["ranges_apart"])
         self.assertIn("ranges apart, ", self.text(*pair, "--statistics"))
-        # Worth three and some eight samples: 2 of 110 orders or so keep them apart, enough at 95 %, not at 99 %.
+        # Worth seven and three samples: 2 of 120 orders keep them apart, enough at 95 %, not at 99 %.
         for confidence, expected in (("0.95", 1), ("0.99", 3)):
             code, report, _ = self.compare(*pair, "--statistics", "--only", "series/spin", "--confidence", confidence)
             self.assertEqual((code, report["statistics"][0]["verdict"]), (expected, "differ grossly"), report)
