@@ -309,7 +309,7 @@ class WithoutConfiguration(Folder):
         with h5py.File(os.path.join(run, "results.h5"), "r+") as file:
             file["series/pressure_drop"][:40] += 1000
         text = self.report(run)
-        found = re.match(r"from ([0-9.]+) to 9.95 s \(start-up found by MSER-5: [a-z ]+ settles last\); 5 windows over x = 0 to 0.2 m, "
+        found = re.search(r"(?m)^from ([0-9.]+) to 9.95 s \(start-up found by MSER-5: [a-z ]+ settles last\); 5 windows over x = 0 to 0.2 m, "
                          r"z = ([0-9.]+) to ([0-9.]+) m, front slice of 0.001 m", text)
         self.assertTrue(found, text)
         start, low, high = map(float, found.groups())
