@@ -59,7 +59,7 @@ class Plan(unittest.TestCase):
         self.assertEqual(output.intervals[0], 2e-3)
         self.assertGreater(output.snapshot_bytes, 100 * self.run_.meta["particles"])
         step = output.bytes(3.0, 2e-3) - output.bytes(2.0, 2e-3)
-        self.assertAlmostEqual((output.bytes(2.0, 2e-3) - output.bytes(1.0, 2e-3)) / step, 1)  # of numbers of 1e8: bytes have no seventh digit
+        self.assertAlmostEqual((output.bytes(2.0, 2e-3) - output.bytes(1.0, 2e-3)) / step, 1)  # a ratio: the bytes are some 1e8, their round-off is above the seventh place
 
 
 if __name__ == "__main__":
