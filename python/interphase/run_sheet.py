@@ -103,12 +103,21 @@ def as_text(sheet):
     report = dataclasses.replace(sheet.report)
     if report.pressure is not None and len(report.pressure[0]) > MOST_ROWS:
         report.pressure = None if report.spectrum is not None else tuple(each[:: -(-len(each) // MOST_ROWS)] for each in report.pressure)
+    if report.spectrum is not None:
+        report.spectrum = _thinned(report.spectrum)
     encoded = _encoded(dataclasses.replace(sheet, report=report))
     inside = encoded.pop("report")
     # A line for each part, so that one finds one's way and versions can be compared.
     lines = [f'"{name}": {_line(value)}' for name, value in encoded.items()]
     lines.append('"report": {\n  ' + ",\n  ".join(f'"{name}": {_line(value)}' for name, value in inside.items()) + "}")
     return f'{{"kind": "{KIND}",\n"sheet": {{' + ",\n".join(lines) + "}}\n"
+
+
+def _thinned(spectrum):
+    """The `Spectrum` at frequencies half a resolution apart: those between depend on them."""
+    spacing = float(spectrum.frequency[1] - spectrum.frequency[0])
+    kept = slice(None, None, max(1, round(spectrum.resolution / 2 / spacing)))
+    return dataclasses.replace(spectrum, **{name: getattr(spectrum, name)[kept] for name in ("frequency", "power", "low", "high")})
 
 
 def _line(value):
