@@ -227,6 +227,8 @@ def deviation_with_error(values):
     """`Mean` of the standard deviation of a series [n], its error that of the mean square to first order.
 
     The mean that is taken off is the record's own, which makes the mean square less by that mean's variance: it is put back.
+    Squares are skew: of a series that decays (AR(1)) 95 % bars cover 93 % in records of 100 times its memory, 83 to 86 % in 20 to 40 times; of
+    oscillations they cover 91 to 94 % from 20 on.
     """
     values = numpy.asarray(values, dtype=float)
     mean = mean_with_error(values)
