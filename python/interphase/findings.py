@@ -226,9 +226,9 @@ def _voidage(asked):
         found.append(Finding(f"{method}: the voidage of cells has its peak near 0.45", FOUND if 0.42 <= peak <= 0.50 else NOT_FOUND,
                              f"the fullest class below 0.8 is at {peak:.3g}; 0.42 to 0.50 counts as found", (sheet.name,)))  # fmt: skip
     for sheet in asked.others("MPPIC"):
-        ours, base = (next((q.mean for q in each.report.voidages if q.name.startswith("voidage below")), None) for each in (sheet, asked.base))
-        first = sheet.report.voidages[0].name if sheet.report.voidages else ""
-        if ours is None or base is None or first != "voidage below 0.4":
+        # of rows it is the mapped voidage
+        ours, base = (next((q.mean for q in each.report.voidages if q.name.endswith("voidage below 0.4")), None) for each in (sheet, asked.base))
+        if ours is None or base is None:
             continue
         doubt = ours.reason or base.reason
         verdict, half = judged(ours.value - base.value, math.hypot(ours.error, base.error), min(ours.freedom, base.freedom), 0, False, doubt)
