@@ -7,7 +7,7 @@
 
   pressure    /series/pressure_drop: 45 mm above the floor, less the outlet's; its fluctuation is what was measured [Pa]
   surface     at each snapshot, in columns of COLUMN across, the height below which 99 % of the column's solids lie; the mean of the columns [m]
-  deviation   the standard deviation; its error that of the mean square, autocorrelation taken in
+  deviation   the standard deviation with its error (deviation_with_error of interphase/time_statistics.py)
   packing     of a run with next to no gas (inletVelocity below AT_REST), at its end: the solids' volume over that of the bed, twice its mean height
   U_mf        at which the drag law of the run carries a bed of that packing; of runs whose packing is stored
   strongest   the strongest frequency of the pressure with its standard error (interphase/spectrum.py)
@@ -25,8 +25,9 @@ import numpy
 from interphase import InputError, Run, parameters, tables
 from interphase.drag_laws import LAWS
 from interphase.fluidization import Grain
+from interphase.run_account import command_of
 from interphase.spectrum import power_spectrum, strongest_frequency
-from interphase.time_statistics import mean_with_error
+from interphase.time_statistics import deviation_with_error, mean_with_error
 
 CASE = os.path.dirname(os.path.realpath(__file__))
 STUDY = os.path.join(CASE, "study")
@@ -69,24 +70,10 @@ def surface(position, diameter, width):
     return float(numpy.mean(heights))
 
 
-def deviation(values):
-    """(standard deviation, its standard error, why not to trust it or "") of a series at even spacing."""
-    square = mean_with_error((values - values.mean()) ** 2)
-    root = math.sqrt(square.value)
-    return root, square.error / (2 * root), square.reason
-
-
 def density(times, values):
     """(frequency, power density, its limits) [4, n] of a series up to HIGHEST."""
     found = power_spectrum(times, values)
     return numpy.array([found.frequency, found.power, found.low, found.high])[:, found.frequency <= HIGHEST]
-
-
-def command(record, until):
-    """The call of tools/run that makes a run like this one."""
-    words = [f"tools/run cases/{record['case']} --method {record['method']} --weight {record['weight']:g}"]
-    words += [f"--set '{word}'" if " " in word else f"--set {word}" for word in record["settings"]]
-    return " ".join([*words, f"--until {until:g}"])
 
 
 def scene(run, folder):
@@ -108,7 +95,7 @@ def at_rest(folder):
     height = run.series["bed_height"]
     solids = float(values["particleCount"]) * math.pi / 6 * float(values["diameter"]) ** 3
     packing = solids / (float(values["width"]) * float(values["depth"]) * height.values[-1])
-    return {**row, "packing": f"{packing:.4f}", "command": command(run.record, height.time[-1])}
+    return {**row, "packing": f"{packing:.4f}", "command": command_of(run, height.time[-1])}
 
 
 def measure(folder, since):
@@ -120,14 +107,13 @@ def measure(folder, since):
     heights = numpy.array([surface(each.positions, each.diameters, float(values["width"])) for each in seen])
     fluctuation = drop.values - drop.values.mean()
     strongest = strongest_frequency(drop.time, fluctuation)
-    root, error, doubt = deviation(drop.values)
-    mean, (swing, swing_error, _) = mean_with_error(heights), deviation(heights)
+    deviation, mean, swing = deviation_with_error(drop.values), mean_with_error(heights), deviation_with_error(heights)
     until = round(float(drop.time[-1]), 3)
-    numbers = {"from": since, "until": until, "velocity": float(values["inletVelocity"]), "deviation": root, "error": error, "frequency": strongest.value,
-               "frequency_error": strongest.error, "surface": mean.value, "surface_error": mean.error, "surface_deviation": swing,
-               "surface_deviation_error": swing_error}  # fmt: skip
-    row.update({name: f"{number:.4g}" for name, number in numbers.items()}, law=values["dragLaw"], doubt=doubt, differs=" ".join(run.record["settings"]),
-               command=command(run.record, until))
+    numbers = {"from": since, "until": until, "velocity": float(values["inletVelocity"]), "deviation": deviation.value, "error": deviation.error, "frequency": strongest.value,
+               "frequency_error": strongest.error, "surface": mean.value, "surface_error": mean.error, "surface_deviation": swing.value,
+               "surface_deviation_error": swing.error}  # fmt: skip
+    row.update({name: f"{number:.4g}" for name, number in numbers.items()}, law=values["dragLaw"], doubt=deviation.reason, differs=" ".join(run.record["settings"]),
+               command=command_of(run, until))
     return row, density(drop.time, fluctuation), (drop.time, fluctuation)
 
 

@@ -54,6 +54,15 @@ Scalars Communicator::all_gather(const Scalars& mine) const
     return all;
 }
 
+std::vector<Box> Communicator::gather_boxes(const Box& mine) const
+{
+    const Scalars all = all_gather(Scalars(mine.data(), mine.data() + mine.size()));
+    std::vector<Box> boxes;
+    for (int rank = 0; rank < size_; ++rank)
+        boxes.emplace_back(Eigen::Map<const Box>(all.data() + rank * mine.size()));
+    return boxes;
+}
+
 void Communicator::spread(std::string& words, int from) const
 {
     int length = static_cast<int>(words.size());

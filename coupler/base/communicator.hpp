@@ -50,6 +50,9 @@ public:
     /// Each rank's `mine`, in rank order (all of the same length).
     Scalars all_gather(const Scalars& mine) const;
 
+    /// Each rank's box, in rank order.
+    std::vector<Box> gather_boxes(const Box& mine) const;
+
     /// Each rank's record, in rank order.
     template <class Record>
     std::vector<Record> all_gather(const Record& mine) const

@@ -6,7 +6,7 @@
 
 namespace interphase {
 
-double Stopwatch::now()
+double wall_clock()
 {
     using Clock = std::chrono::steady_clock;
     return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();

@@ -28,13 +28,9 @@ const Vector beside(0.42, 0.73, 0.54);
 
 }  // namespace
 
-OwnerCellSearch::OwnerCellSearch(const Communicator& comm, const CellLocator& locator) : comm_(comm), locator_(locator)
-{
-    const Box mine = locator_.bounds();
-    const Scalars all = comm_.all_gather(Scalars(mine.data(), mine.data() + mine.size()));
-    for (int rank = 0; rank < comm_.size(); ++rank)
-        bounds_.emplace_back(Eigen::Map<const Box>(all.data() + rank * mine.size()));
-}
+OwnerCellSearch::OwnerCellSearch(const Communicator& comm, const CellLocator& locator)
+    : comm_(comm), locator_(locator), bounds_(comm.gather_boxes(locator.bounds()))
+{}
 
 void OwnerCellSearch::update(const VectorsView& positions, const ScalarsView& reach,
                              std::vector<CellAddress>& owner_cells)

@@ -2,8 +2,9 @@
 #include "records/results.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
+
+#include "base/stopwatch.hpp"
 
 namespace interphase {
 
@@ -12,8 +13,6 @@ namespace {
 constexpr double promised = 1;      // what rows wait at most [s]
 constexpr double patience = 0.8;    // of steps that are short: a flush takes 1 ms for a hundred columns
 constexpr double least_ratio = 50;  // a disk that is slow gets a fiftieth of the time
-
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 }  // namespace
 
@@ -80,7 +79,7 @@ void Results::keep_text(const std::string& path, const std::string& text)
 
 bool Results::flush_due()
 {
-    const double at = now(), step = at - last_step_, waited = at - last_flush_;
+    const double at = wall_clock(), step = at - last_step_, waited = at - last_flush_;
     last_step_ = at;
     if (!rows_wait_ || waited < least_ratio * cost_) return false;
     return waited > patience || waited + 3 * step > promised;
@@ -89,7 +88,7 @@ bool Results::flush_due()
 void Results::flush()
 {
     if (!file_) return;
-    const double start = now();
+    const double start = wall_clock();
     for (auto& [group, columns] : tables_) {
         if (columns.front().rows.empty()) continue;
         file_->change([group = group, columns = columns](Hdf5File& file) { append_rows(file, group, columns); });
@@ -98,7 +97,7 @@ void Results::flush()
     }
     rows_wait_ = false;
     file_->publish();
-    last_flush_ = now();
+    last_flush_ = wall_clock();
     cost_ = last_flush_ - start;
 }
 

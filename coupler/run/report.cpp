@@ -2,9 +2,10 @@
 #include "run/report.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
+
+#include "base/stopwatch.hpp"
 
 namespace interphase {
 
@@ -12,8 +13,6 @@ namespace {
 
 constexpr double seconds_between_lines = 5;
 constexpr double unknown_end = 1e30;  // [s]
-
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 std::string duration(double seconds)
 {
@@ -54,7 +53,7 @@ void tell_counts(const Report::Summary& of)
 }  // namespace
 
 Report::Report(bool prints, double start_time, double end_time)
-    : prints_(prints), start_time_(start_time), part_start_(start_time), end_time_(end_time), wall_start_(now())
+    : prints_(prints), start_time_(start_time), part_start_(start_time), end_time_(end_time), wall_start_(wall_clock())
 {}
 
 void Report::end_at(double end_time)
@@ -66,7 +65,7 @@ void Report::end_at(double end_time)
     end_time_ = end_time;
 }
 
-double Report::wall_seconds() const { return now() - wall_start_; }
+double Report::wall_seconds() const { return wall_clock() - wall_start_; }
 
 void Report::head(const std::vector<std::pair<std::string, std::string>>& facts) const
 {
@@ -77,11 +76,11 @@ void Report::head(const std::vector<std::pair<std::string, std::string>>& facts)
     std::fflush(stdout);
 }
 
-bool Report::progress_due() const { return now() - last_line_ > seconds_between_lines; }
+bool Report::progress_due() const { return wall_clock() - last_line_ > seconds_between_lines; }
 
 void Report::progress(double time, const Observation& seen)
 {
-    last_line_ = now();
+    last_line_ = wall_clock();
     if (!prints_) return;
     const double done = time - start_time_, done_here = time - part_start_, wall = wall_seconds();
     const bool known = end_time_ < unknown_end;

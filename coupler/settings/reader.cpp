@@ -67,11 +67,11 @@ void Reader::numbers(const Key& key, Scalars& value, const Range& range, Order o
 {
     std::string fallback;
     for (const double number : value)
-        fallback += (fallback.empty() ? "(" : " ") + text(number);
+        fallback += (fallback.empty() ? "" : " ") + text(number);
     const std::string unit = key.unit.empty() ? "" : " [" + key.unit + "]";
     const std::string demand =
         "list of numbers" + unit + ", " + range.words + (order == Order::ascending ? ", ascending" : "");
-    ask(key, demand, fallback + ")");
+    ask(key, demand, "(" + fallback + ")");
     if (!has(key.name)) return;
     const auto given = dictionary_->numbers(key.name);
     bool good = given && !given->empty();

@@ -15,17 +15,6 @@ Box box_around(const Vector& centre, double radius)
     return box;
 }
 
-struct Corners {
-    double low[3], high[3];
-    Box box() const
-    {
-        Box box;
-        box.col(0) = to_vector(low);
-        box.col(1) = to_vector(high);
-        return box;
-    }
-};
-
 std::vector<Vector> shifts_of(const PeriodicBox& periods)
 {
     std::vector<Vector> shifts{Vector::Zero()};
@@ -53,15 +42,12 @@ std::vector<NumberedSphere> spheres_around(const Communicator& comm, const Parti
         extend(own, box.col(0));
         extend(own, box.col(1));
     }
-    Corners mine{};
-    set(mine.low, Vector(own.col(0)));
-    set(mine.high, Vector(own.col(1)));
-    const std::vector<Corners> ranks = comm.all_gather(mine);
+    const std::vector<Box> ranks = comm.gather_boxes(own);
 
     std::vector<NumberedSphere> out;
     std::vector<int> counts(ranks.size(), 0);
     for (std::size_t r = 0; r < ranks.size(); ++r) {
-        const Box there = ranks[r].box();
+        const Box& there = ranks[r];
         for (const Vector& shift : shifts) {
             const bool stays = static_cast<int>(r) == comm.rank() && shift.isZero();
             Box here = own;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "statistics/statistics.hpp"
 
-#include <mpi.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "base/stopwatch.hpp"
 #include "statistics/bins.hpp"
 #include "statistics/overlap_counts.hpp"
 #include "statistics/solids_energy.hpp"
@@ -74,7 +73,7 @@ void Statistics::describe(Results& results) const
 
 void Statistics::sample(double time, const Scalars& voidage, Results& results)
 {
-    const double start = MPI_Wtime();
+    const double start = wall_clock();
     Results::Row row;
     row.add("time", "s", time);
     row.add("spheres", "1", static_cast<double>(comm_.sum(static_cast<long>(solids_.particles().size()))));
@@ -84,7 +83,7 @@ void Statistics::sample(double time, const Scalars& voidage, Results& results)
     if (surface_) sample_surface(row, voidage);
     sample_energy(row);
     results.add_row(group, row);
-    seconds_ += MPI_Wtime() - start;
+    seconds_ += wall_clock() - start;
 }
 
 void Statistics::sample_windows(Results::Row& row)

@@ -127,6 +127,13 @@ class Dictionaries:
         found = self._in_file(*self._with(foam_file.value, self._source(file, path)))
         return default if found is None else found
 
+    def number(self, file, path, default=None):
+        """The value at `path` as a number; `default` where there is none, or it is no number."""
+        try:
+            return float(self.value(file, path))
+        except (TypeError, ValueError):
+            return default
+
     @staticmethod
     def _with(function, source):
         return source[0], function, source[1]
@@ -203,10 +210,7 @@ def checked_weight(text):
 
 def end_time(case):
     """endTime of controlDict [s]; None where it is no number."""
-    try:
-        return float(case.value(CONTROL, "endTime"))
-    except (TypeError, ValueError):
-        return None
+    return case.number(CONTROL, "endTime")
 
 
 def set_method_and_weight(case, method=None, weight=None):

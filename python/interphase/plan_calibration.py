@@ -87,13 +87,10 @@ def progress(run):
 
 def gas_step(case):
     """Of the Case, the first one where it is adjusted [s]; InputError where it is no number."""
-    written = case.dictionaries.value(CONTROL, "deltaT")
-    try:
-        step = float(written)
-    except (TypeError, ValueError):
-        step = 0.0
+    files = case.dictionaries
+    step = files.number(CONTROL, "deltaT", 0.0)
     if not step > 0:
-        raise InputError(f"{case.path}/{CONTROL}: deltaT {written} is no number; give it as one, or by a name of `parameters`")
+        raise InputError(f"{case.path}/{CONTROL}: deltaT {files.value(CONTROL, 'deltaT')} is no number; give it as one, or by a name of `parameters`")
     return step
 
 
@@ -106,21 +103,13 @@ def output_of(run, case):
     inside = int(((times > 0) & (times < rows.time[-1])).sum())
     snapshot = float((each[1:] - row).sum()) / inside if inside else float(each[0]) - row  # the first one makes the file, too
     files = case.dictionaries
-    recorded = interval(files, COUPLING, "records/interval", 0.05)
-    fields = interval(files, CONTROL, "writeInterval", NEVER)
-    snapshots = interval(files, COUPLING, "records/snapshotInterval", 0.0) or fields
+    recorded = files.number(COUPLING, "records/interval", 0.05)
+    fields = files.number(CONTROL, "writeInterval", NEVER)
+    snapshots = files.number(COUPLING, "records/snapshotInterval", 0.0) or fields
     count = len(run.snapshots)
     return Output(row, max(0.0, snapshot), size(run, "results.h5") / max(1, len(rows.time)),
                   size(run, "particles.h5") / max(1, count) + folder_size(os.path.join(run.path, "snapshots")) / max(1, count),
                   field_bytes(run), (recorded, snapshots, fields))  # fmt: skip
-
-
-def interval(files, file, name, default):
-    """A time [s] of the case's files; `default` where it is not there, or no number."""
-    try:
-        return float(files.value(file, name, default))
-    except (TypeError, ValueError):
-        return default
 
 
 def size(run, name):

@@ -6,6 +6,7 @@ import statistics
 from dataclasses import dataclass
 
 from interphase import evidence
+from interphase.durations import told
 from interphase.input_error import InputError
 
 UNITS = {"s": 1.0, "min": 60.0, "h": 3600.0, "d": 86400.0}
@@ -129,11 +130,3 @@ def _typical(planned, trades):
     if not near:
         return None
     return statistics.median(abs(each.deviation) for each in near), len({each.quantity for each in near}), ", ".join(sorted({each.scene for each in near}))
-
-
-def told(seconds):
-    """A time as one says it: 41 s, 12 min, 3.4 h, 12 d."""
-    for unit, size in (("d", 86400.0), ("h", 3600.0), ("min", 60.0)):
-        if seconds >= 2 * size:
-            return f"{seconds / size:.3g} {unit}"
-    return f"{seconds:.3g} s"

@@ -4,8 +4,8 @@
 import math
 
 from interphase import tables
+from interphase.durations import told
 from interphase.fluidization import LOOSE_VOIDAGE
-from interphase.plan_choice import told
 
 GB = 1e9
 

@@ -3,7 +3,7 @@
 
 import os
 
-from interphase import page_html, page_pictures, run_sheet
+from interphase import page_html, page_pictures, run_sheet, whole_file
 from interphase.foam_file import nearest
 from interphase.input_error import InputError
 from interphase.report_page import Page
@@ -61,10 +61,7 @@ def write(path, title, sheets, depth, notes=(), folders=None, confidence=0.95, c
         if pictures:
             moving, why = page_pictures.moving(runs, names)
             pictures += moving + (page_html.paragraph(page_html.text(why[0].upper() + why[1:] + ".")) if why else "")
-    text = Page(title, sheets, depth, notes, pictures, confidence, counted).html()
-    with open(path + ".new", "w", encoding="utf-8") as stream:
-        stream.write(text)
-    os.replace(path + ".new", path)
+    whole_file.write(path, Page(title, sheets, depth, notes, pictures, confidence, counted).html())
 
 
 def check_name(path, option):

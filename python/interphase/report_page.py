@@ -130,8 +130,8 @@ class Page:
         mixed = " Runs of both kinds are here: their ratios are not to be trusted on a machine that did other work, too." if len(kinds) > 1 else ""
         wall = " Wall time holds what other programs took of the cores." if "wall time" in kinds else ""
         return (page_figures.cost_split(costs, self.names) + table(["run", "s per simulated second", "of", *page_figures.PARTS], rows)
-                + paragraph("Error: scatter of the pace over the run. Phases: shares of the program's own timing, the slowest rank's; coupling is mapping and exchange, "
-                            f"other is output, waiting and the start.{wall}{mixed}"))  # fmt: skip
+                + paragraph("Error: scatter of the pace over the run. Phases: by the program's own processor time, or, in a run without rows of it, shares of its wall-clock "
+                            f"time, the slowest rank's; coupling is mapping and exchange, other is the rest.{wall}{mixed}"))  # fmt: skip
 
     def _trade(self):
         if len(self.sheets) < 2:

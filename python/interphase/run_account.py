@@ -106,8 +106,8 @@ def _date(run, process):
     return datetime.datetime.fromtimestamp(os.path.getmtime(file)).strftime("%Y-%m-%d") if file else ""
 
 
-def command_of(run):
-    """The call of tools/run that makes this run again, as far as run.json tells it."""
+def command_of(run, until=None):
+    """The call of tools/run that makes this run (`Run` or `Records`) again, as far as run.json tells it, to `until` [s] (None: as it was called)."""
     record = run.record
     if "case" not in record:
         return f"interphase -case {_shown(run.path)}"
@@ -117,7 +117,8 @@ def command_of(run):
     words += ["--ranks", str(record["ranks"])] if record.get("ranks", 1) != 1 else []
     for setting in record.get("settings") or ():
         words += ["--set", setting]
-    words += ["--until", str(record["until"])] if record.get("until") else []
+    until = record.get("until") if until is None else f"{until:g}"
+    words += ["--until", str(until)] if until else []
     start = record.get("from")
     words += ["--from", f"{_shown(start['run'])}@{start['time']:.9g}"] if start else []
     return shlex.join(words)

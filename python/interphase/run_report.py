@@ -290,20 +290,21 @@ def _series(report, run, chosen):
         if not numpy.isfinite(values[name]).all():
             report.notes.append(f"/series/{name}: NaN or infinite values")
             continue
-        report.series.append(Quantity(name.replace("_", " "), unit, statistics.mean_with_error(values[name])))
+        mean = statistics.mean_with_error(values[name])
+        report.series.append(Quantity(name.replace("_", " "), unit, mean))
         if name == "pressure_drop":
             report.pressure = times, values[name]
             report.series.append(Quantity("pressure drop, deviation", "Pa", statistics.deviation_with_error(values[name])))
             if not spread:
                 report.spectrum = power_spectrum(times, values[name])
-                _strongest(report, times, values[name])
+                _strongest(report, times, values[name], mean)
 
 
-def _strongest(report, times, values):
+def _strongest(report, times, values, whole):
+    """What is not the frequency's own is that of the series' mean, `whole`."""
     found = strongest_frequency(times, values)
     if found.reason:
         report.notes.append(f"strongest frequency of the pressure drop: {found.reason}")
         return
-    whole = statistics.mean_with_error(values)
     mean = dataclasses.replace(whole, value=found.value, error=found.error, freedom=float(COPIES - 1))
     report.series.append(Quantity("pressure drop, strongest frequency", "Hz", mean))

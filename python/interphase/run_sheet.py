@@ -15,7 +15,7 @@ from typing import Optional
 
 import numpy
 
-from interphase import gas_profile, reporting, run_account
+from interphase import gas_profile, reporting, run_account, whole_file
 from interphase.input_error import InputError
 from interphase.report_scene import Scene
 from interphase.run_account import Account
@@ -68,9 +68,7 @@ def store(folder, sheets):
     paths = []
     for sheet in sheets:
         path = os.path.join(folder, sheet.name.replace(os.sep, "_") + END)
-        with open(path + ".new", "w", encoding="utf-8") as stream:
-            stream.write(as_text(sheet))
-        os.replace(path + ".new", path)
+        whole_file.write(path, as_text(sheet))
         paths.append(path)
     return paths
 

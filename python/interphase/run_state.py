@@ -8,7 +8,7 @@ import re
 import signal
 import socket
 
-from interphase import ending
+from interphase import ending, whole_file
 from interphase.input_error import InputError
 
 MARK = "run.json"
@@ -64,11 +64,7 @@ def record(folder):
 
 def write(folder, what):
     """run.json of the run in `folder`, whole at any moment."""
-    path = os.path.join(folder, MARK)
-    with open(path + ".new", "w", encoding="utf-8") as stream:
-        json.dump(what, stream, indent=2)
-        stream.write("\n")
-    os.replace(path + ".new", path)
+    whole_file.write(os.path.join(folder, MARK), json.dumps(what, indent=2) + "\n")
 
 
 def process_of(found):

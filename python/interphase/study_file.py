@@ -26,7 +26,7 @@ ROW = {
     "seeds": ("", "runs of each combination, with seed 1 ... N", "one, with the case's seed"),
     "set": ("", "block: any entry that --set of tools/run takes, with a value or a list", "nothing"),
     "until": ("s", "end of the runs", "the case's"),
-    "from": ("s", "what is before is not measured", "of system/reportDict, else found"),
+    "from": ("s", "what is before is not measured", "of `statistics` in system/couplingDict, else found"),
     "startTimes": ("s", "list: a run from the developed bed at each of these times", "the `time` of developed"),
 }
 KEYS = {

@@ -15,6 +15,9 @@ from interphase.input_error import InputError
 from interphase.report_vessel import Vessel
 
 
+OTHER_SETTINGS = "it is a run of other settings"
+
+
 @dataclasses.dataclass(frozen=True)
 class Plan:
     """`beds` and then `points` (sweep_plan.Point) are run; `starts` {name: from when it is measured [s], None: found}."""
@@ -80,11 +83,7 @@ def _bed(study, weight):
 
 def _check_snapshot(case, time, study):
     """Snapshots must be there at the time that a run starts from."""
-    text = case.value("records/snapshotInterval")
-    try:
-        interval = float(text)
-    except (TypeError, ValueError):
-        return
+    interval = case.dictionaries.number(COUPLING, "records/snapshotInterval", 0.0)
     if interval > 0 and abs(time / interval - round(time / interval)) > 1e-6:
         raise InputError(f"{study.path}: t = {time:g} s of the developed bed is no multiple of records/snapshotInterval = {interval:g} s: there "
                          "would be no snapshot to start from")  # fmt: skip
@@ -125,7 +124,7 @@ def version_of(binary):
 
 
 def unlike(point, folder, commit):
-    """Why what is in `folder` is not the run that `point` asks for; "" where it is, or nothing is there."""
+    """Why what is in `folder` is not the run that `point` asks for, OTHER_SETTINGS or a phrase on its version; "" where it is, or nothing is there."""
     record = run_state.record(folder) if os.path.isdir(folder) else {}
     if "method" not in record:
         return ""
@@ -134,14 +133,13 @@ def unlike(point, folder, commit):
     begins = None if start is None else f"{os.path.basename(start['run'])}@{start['time']:.9g}"
     asked = None if point.start is None else os.path.basename(point.start)
     if is_of != point.identity or (begins != asked and (start is not None or point.start is None)):
-        return "it is a run of other settings"
-    of = stored.attributes(os.path.join(folder, "results.h5"), "meta").get("commit", "") if os.path.isfile(os.path.join(folder, "results.h5")) else ""
+        return OTHER_SETTINGS
+    results = os.path.join(folder, "results.h5")
+    of = stored.attributes(results, "meta").get("commit", "") if os.path.isfile(results) else ""
     return f"it is of version {of[:10]}, the program is of {commit[:10]}" if of and commit and of != commit else ""
 
 
 def steps(point):
     """Gas steps of a run, None where deltaT is no number."""
-    try:
-        return math.ceil(point.until / float(point.case.value(f"{CONTROL}:deltaT")) - 1e-9)
-    except (TypeError, ValueError, ZeroDivisionError):
-        return None
+    step = point.case.dictionaries.number(CONTROL, "deltaT")
+    return math.ceil(point.until / step - 1e-9) if step else None

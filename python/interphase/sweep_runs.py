@@ -10,7 +10,7 @@ import signal
 import time
 from collections import deque
 
-from interphase import case_folder, ending, run_state
+from interphase import case_folder, ending, run_state, whole_file
 from interphase.input_error import InputError
 from interphase.launch import StepFailed
 from interphase.run import Run, no_such
@@ -45,9 +45,7 @@ class Notes:
 
     def write(self):
         """sweep.json, whole at any moment."""
-        with open(self._path + ".new", "w", encoding="utf-8") as stream:
-            json.dump({**self._what, "holes": self.holes}, stream, indent=1)
-        os.replace(self._path + ".new", self._path)
+        whole_file.write(self._path, json.dumps({**self._what, "holes": self.holes}, indent=1))
 
 
 class Sweep:

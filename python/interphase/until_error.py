@@ -11,6 +11,7 @@ import threading
 import time
 from dataclasses import dataclass
 
+from interphase.durations import told
 from interphase.input_error import InputError
 
 SECONDS_BETWEEN_LOOKS = 2
@@ -167,11 +168,6 @@ class Watch:
         for each in found:
             lines.append(f"{'reached' if each.reached else 'not reached'}: {each.target}: {each.words}")
             if not each.reached and each.needed > last:
-                wall = f", some {duration(pace * (each.needed - last))} more at the pace so far" if pace else ""
+                wall = f", some {told(pace * (each.needed - last))} more at the pace so far" if pace else ""
                 lines[-1] += f"; about to t = {each.needed:.3g} s{wall}"
         return lines
-
-
-def duration(seconds):
-    """90 s, 25 min, 3.2 h."""
-    return f"{seconds:.0f} s" if seconds < 120 else f"{seconds / 60:.0f} min" if seconds < 7200 else f"{seconds / 3600:.1f} h"

@@ -170,12 +170,14 @@ run {steps}
 """
 
 
+NOTHING_ELSE = {"records/snapshotInterval": 1000, "system/controlDict:writeInterval": 1000, "checkpoint/wallInterval": 0}  # is written
+
+
 def records(given):
     """Two lengths of a run, so that start and end of both cancel."""
     print(f"{'method':8s} {'tracked':>8s} {'a row [ms]':>11s} {'share':>8s} {'a checkpoint [s]':>17s} {'every 600 s':>12s}")
     for method, weight in (("TDHS", 1), ("CGHS", 8), ("CGHS", 64), ("MPPIC", 8)):
-        rows = {"method": method, "weight": weight, "records/interval": given.interval, "records/snapshotInterval": 1000,
-                "system/controlDict:writeInterval": 1000, "checkpoint/wallInterval": 0}  # fmt: skip
+        rows = {"method": method, "weight": weight, "records/interval": given.interval, **NOTHING_ELSE}
         with tempfile.TemporaryDirectory(prefix="interphase-bench-") as scratch:
             def spent(until, **kept):
                 timing, meta = ran(os.path.join(scratch, "run"), until, **rows, **kept)
@@ -193,8 +195,7 @@ def statistics_in_run(given):
     """From what a run itself books for its samples."""
     print(f"{'method':8s} {'tracked':>8s} {'a sample [ms]':>14s} {'share of the time':>18s}")
     for method, weight in (("CGPM", 8), ("CGHS", 8), ("MPPIC", 8), ("TDHS", 1)):
-        entries = {"method": method, "weight": weight, "statistics/interval": given.interval, "records/snapshotInterval": 1000,
-                   "system/controlDict:writeInterval": 1000, "checkpoint/wallInterval": 0}  # fmt: skip
+        entries = {"method": method, "weight": weight, "statistics/interval": given.interval, **NOTHING_ELSE}
         with tempfile.TemporaryDirectory(prefix="interphase-bench-") as scratch:
             folder = os.path.join(scratch, "run")
             _, meta = ran(folder, given.until, **entries)

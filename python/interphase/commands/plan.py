@@ -14,6 +14,7 @@ from interphase import case_folder, evidence, exits, launch, plan_choice, tables
 from interphase.case import Case
 from interphase.command_line import Parser, count, end_time, positive
 from interphase.commands import run as tools_run
+from interphase.durations import told
 from interphase.input_error import InputError
 from interphase.missing import module
 from interphase.sweep_plan import listed
@@ -202,7 +203,7 @@ def main():
         if asked or within is not None:
             chosen, lines = plan_choice.cheapest(planned, trades, asked, within)
             say("\n" + "\n".join(lines))
-            say(f"take {chosen.name}: {plan_choice.told(chosen.wall)} by the clock" if chosen else "none is named")
+            say(f"take {chosen.name}: {told(chosen.wall)} by the clock" if chosen else "none is named")
         if given.check:
             return told_check(table, check(done, given, scratch))
     return 0

@@ -93,9 +93,9 @@ def put_aside(points, folder, commit, anew):
             os.rename(path, f"{path}.before-{number}")
             tools_sweep.say(f"anew     {point.name}: {why}; it is kept as {point.name}.before-{number}")
         else:
-            other = "settings" in why
-            usable = usable and not other
-            tools_sweep.say(f"{'refused ' if other else 'note    '} {point.name}: {why}; --anew makes it again, the old one stays beside")
+            fits = why != study_plan.OTHER_SETTINGS
+            usable = usable and fits
+            tools_sweep.say(f"{'note    ' if fits else 'refused '} {point.name}: {why}; --anew makes it again, the old one stays beside")
     return usable
 
 
