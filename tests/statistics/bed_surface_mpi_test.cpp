@@ -27,8 +27,10 @@ TEST(BedSurface, FollowsASlope)
     std::vector<Particle> all;
     for (int i = 0; i < 80; ++i)  // the last two columns are empty
         for (int k = 0; (k + 0.5) * spacing < 0.1 + 0.02 * (i / 10); ++k)
-            all.push_back({static_cast<int>(all.size()) + 1, spacing * Vector(i + 0.5, 0, k + 0.5), {}, spacing});
-    all.push_back({static_cast<int>(all.size()) + 1, {0.005, 0, 0.45}, {}, spacing});  // one that was flung up
+            all.push_back(
+                {static_cast<int>(all.size()) + 1, spacing * Vector(i + 0.5, 0, k + 0.5), Vector::Zero(), spacing});
+    all.push_back(
+        {static_cast<int>(all.size()) + 1, {0.005, 0, 0.45}, Vector::Zero(), spacing});  // one that was flung up
     auto particles = test::shared(all);
     const BedSurface surface(vessel, 10, 0.99);
     const Scalars heights = surface.heights(world(), particles.particles());

@@ -26,8 +26,8 @@ std::vector<Particle> lattice(int n, double gap)
     for (int k = 0; k < n; ++k)
         for (int j = 0; j < n; ++j)
             for (int i = 0; i < n; ++i)
-                all.push_back(
-                    {static_cast<int>(all.size()) + 1, gap * Vector(i + 0.5, j + 0.5, k + 0.5), {}, diameter});
+                all.push_back({static_cast<int>(all.size()) + 1, gap * Vector(i + 0.5, j + 0.5, k + 0.5),
+                               Vector::Zero(), diameter});
     return all;
 }
 
@@ -66,8 +66,9 @@ TEST(OverlapCounts, OfManySizesAsByTryingAllPairs)
     std::uniform_real_distribution<double> place(0, 0.05), size(-3, -1.8);  // diameters of 1 to 16 mm
     std::vector<Particle> all;
     for (int n = 0; n < 400; ++n)
-        all.push_back({n + 1, {place(random), place(random), place(random)}, {}, std::pow(10.0, size(random))});
-    all.push_back({401, {1e4, 0, 0}, {}, 2e-3});  // far away: the table of cells does not grow with it
+        all.push_back(
+            {n + 1, {place(random), place(random), place(random)}, Vector::Zero(), std::pow(10.0, size(random))});
+    all.push_back({401, {1e4, 0, 0}, Vector::Zero(), 2e-3});  // far away: the table of cells does not grow with it
     double pairs = 0, below = 0, largest = 0;
     for (std::size_t i = 0; i < all.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {

@@ -67,7 +67,8 @@ TEST(WindowMoments, WeighParcelsAndKnowTheirEdges)
 
 TEST(StatisticsScene, IsChosenByTheBedWhereNothingIsGiven)
 {
-    const std::vector<Particle> all{{1, {0.01, 0.01, 0.02}, {}, 0.01}, {2, {0.05, 0.01, 0.04}, {}, 0.01}};
+    const std::vector<Particle> all{{1, {0.01, 0.01, 0.02}, Vector::Zero(), 0.01},
+                                    {2, {0.05, 0.01, 0.04}, Vector::Zero(), 0.01}};
     auto particles = test::shared(all);
     Box vessel;
     vessel << 0, 0.2, 0, 0.1, 0, 1;
