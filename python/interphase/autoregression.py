@@ -59,20 +59,35 @@ def gain(phi, frequency):
     return 1 / numpy.abs(1 - numpy.exp(-2j * numpy.pi * numpy.outer(frequency, lags)) @ phi) ** 2
 
 
-def memory(phi):
-    """For how many samples a model remembers: sum |a_k| tau_k, its autocorrelation being the sum of a_k exp(-lag/tau_k) e^(i omega_k lag).
+def _roots(phi):
+    """Poles of a model, those that forget at once left out, within the unit circle by a hair at least."""
+    roots = numpy.roots(numpy.concatenate([[1.0], -numpy.asarray(phi)])) if len(phi) else numpy.zeros(0)
+    return roots[numpy.abs(roots) > 1e-12]
 
-    Of one decay that is the integral autocorrelation time; of a damped oscillation the decay time of the envelope, where the integral
-    of the autocorrelation cancels. |a_k| is at most 1: of two times that are nearly one the parts are large and opposed.
+
+def _decay_times(roots):
+    return -1 / numpy.log(numpy.minimum(numpy.abs(roots), 1 - 1e-9))
+
+
+def longest_decay(phi):
+    """For how many samples the slowest part of a model rings, in e-folding times."""
+    return float(_decay_times(_roots(phi)).max(initial=0.0))
+
+
+def memory(phi):
+    """For how many samples a model's mean remembers: sum |a_k| T_k, its autocorrelation being the sum of a_k exp(-lag/tau_k) e^(i omega_k lag)
+    and 1/T_k^2 = 1/tau_k^2 + (omega_k / 2 pi)^2.
+
+    Of one decay that is the integral autocorrelation time. Of an oscillation, whose integral cancels, it is the period where that is shorter
+    than the envelope's decay: a few periods show what its mean does, however long it rings. |a_k| is at most 1: of two times that are nearly one the
+    parts are large and opposed.
     """
-    if not len(phi):
+    roots = _roots(phi)
+    if not len(roots):
         return 0.0
-    roots = numpy.roots(numpy.concatenate([[1.0], -numpy.asarray(phi)]))
-    roots = roots[numpy.abs(roots) > 1e-12]
     parts = numpy.empty(len(roots), dtype=complex)
     with numpy.errstate(all="ignore"):  # roots that are equal to the last bit
         for k, root in enumerate(roots):
             parts[k] = root ** (len(phi) - 1) / (numpy.prod(root - numpy.delete(roots, k)) * numpy.prod(1 - root * roots))
         share = numpy.minimum(numpy.nan_to_num(numpy.abs(parts / parts.sum().real), nan=1.0), 1.0)
-    times = -1 / numpy.log(numpy.minimum(numpy.abs(roots), 1 - 1e-9))
-    return float((share * times).sum())
+    return float((share / numpy.hypot(1 / _decay_times(roots), numpy.angle(roots) / (2 * math.pi))).sum())

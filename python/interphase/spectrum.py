@@ -108,7 +108,7 @@ def strongest_frequency(times, values):
     found = _centre(power, frequency, peak)
     phi, noise = autoregression.fitted(series)
     random = numpy.random.default_rng(0)  # the same error at each call
-    burn = min(int(10 * autoregression.memory(phi)) + 100, 10 * blocks)
+    burn = min(int(10 * autoregression.longest_decay(phi)) + 100, 10 * blocks)
     copies = signal.lfilter([1], [1, *-phi], math.sqrt(noise) * random.standard_normal((COPIES, burn + blocks)), axis=1)[:, burn:]
     near = numpy.abs(numpy.log(frequency / found)) < math.log(1.5)  # another peak is another frequency
     centres = []

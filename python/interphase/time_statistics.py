@@ -44,7 +44,7 @@ class Mean:
     `error` is the standard error, in units of the series; `freedom` the degrees of freedom of that estimate, for
     Student's t; `effective` the number of independent samples that would know the mean as well; `time` the
     integral autocorrelation time 1/2 + sum of the autocorrelation function, in samples (1/2: uncorrelated); `memory` that of the
-    slow motion, in samples: of an oscillation the time in which its envelope decays.
+    slow motion, in samples: of an oscillation its period, or the time in which it decays if that is shorter.
     `reason` is empty, or says why the error is not to be trusted; `longer` then is how many times longer the record must be,
     about (`longer_by`). `drifts`: it does not go about a mean, but along a line.
     """

@@ -104,6 +104,7 @@ class Watch:
         self._targets, self._folder = targets, folder
         self._over = threading.Event()
         self.reached, self.refused = False, None
+        self._found = []  # at the look that ended the run: rows written since may judge otherwise
         self._began = time.monotonic()
         self._seen = self._looked = self._from = None
 
@@ -134,13 +135,13 @@ class Watch:
                 self._from = last, time.monotonic()
             self._looked = last
             try:
-                found, _ = standings(self._targets, self._run())
+                self._found, _ = standings(self._targets, self._run())
             except InputError as refused:
                 self.refused = refused
             except (OSError, KeyError, RuntimeError):
                 continue
             else:
-                self.reached = all(each.reached for each in found)
+                self.reached = all(each.reached for each in self._found)
             if self.reached or self.refused:
                 self._stop()
                 return
@@ -157,10 +158,14 @@ class Watch:
 
     def told(self):
         """Lines on how the run stands at its end: what is reached, and what the rest would take."""
+        if self.reached:
+            return [f"reached: {each.target}: {each.words}" for each in self._found]
         try:
             found, last = standings(self._targets, self._run())
         except InputError as error:
             return [str(error)]
+        except (OSError, KeyError, RuntimeError):
+            return ["not judged: the run ended before it recorded a row"]
         pace = None
         if self._from is not None and last > self._from[0]:
             pace = (time.monotonic() - self._from[1]) / (last - self._from[0])

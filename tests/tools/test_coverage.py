@@ -42,20 +42,20 @@ class Means(unittest.TestCase):
         measured.above(self, f"95 % bars, {name}: records that they cover [%]", share, LEAST, "%", "92 to 98 % asked for, less two binomial deviations of 200")
 
     def test_a_decay_and_a_slugging_bed(self):
-        """Decays and damped oscillations of 2 Hz at 20 Hz, over 20, 40 and 200 correlation times."""
+        """Decays and damped oscillations of 2 Hz at 20 Hz, over 20, 40 and 200 decay times or periods, whichever is the shorter."""
         random = numpy.random.default_rng(1)
-        for decay, period in ((0.3, None), (0.3, 0.5), (2.0, 0.5)):
+        for decay, period in ((0.3, None), (0.3, 0.5), (2.0, 0.5), (10.0, 0.5)):
             for times in (20, 40, 200):
                 of = f"decay {decay:g} s" + (f", period {period:g} s" if period else "") + f", {times} times as long, 20 Hz"
-                self.check(of, map(statistics.mean_with_error, records(random, decay, period, 0.05, times * decay)))
+                self.check(of, map(statistics.mean_with_error, records(random, decay, period, 0.05, times * min(decay, period or decay))))
 
     def test_a_slow_motion_besides_the_slugs(self):
-        """A tenth of the variance decays in 2 s, which makes 9/10 of the error."""
+        """A tenth of the variance decays in 2 s, which makes 9/10 of the error; slugs that last hide none of it."""
         random = numpy.random.default_rng(2)
-        for interval in (0.05, 0.01):
+        for interval, decay in ((0.05, 0.5), (0.01, 0.5), (0.05, 5.0)):
             for length in (80, 200):
-                both = records(random, 0.5, 0.5, interval, length) + math.sqrt(0.1) * records(random, 2.0, None, interval, length)
-                self.check(f"slugs and a slow tenth, {length} s, {1 / interval:g} Hz", map(statistics.mean_with_error, both))
+                both = records(random, decay, 0.5, interval, length) + math.sqrt(0.1) * records(random, 2.0, None, interval, length)
+                self.check(f"slugs of {decay:g} s and a slow tenth, {length} s, {1 / interval:g} Hz", map(statistics.mean_with_error, both))
 
     def test_the_sampling_rate_does_not_matter(self):
         """The same records at 1 kHz and each 50th row of them: errors alike within a fifth of themselves, and in the mean within 3 %."""
@@ -75,11 +75,14 @@ class Means(unittest.TestCase):
         self.check("ratio of two series, 100 times as long", map(statistics.ratio_with_error, number * velocity, number), 0.3)
 
     def test_what_is_too_short_is_marked(self):
-        """Missed marks of records of 10 memories, false ones of records of 60: at most a quarter, and 3 in 100."""
+        """Missed marks of records of 10 memories, false ones of records of 60: at most a quarter, and 3 in 100.
+
+        An even oscillation is no reason for a mark however long it rings: its mean is known after 20 periods."""
         random = numpy.random.default_rng(5)
-        for decay, period in ((0.5, None), (0.5, 0.5), (2.0, 0.5)):
+        for decay, period in ((0.5, None), (0.5, 0.5), (20.0, 0.5)):
             for times, wanted in ((10, True), (60, False)):
-                marked = [bool(statistics.mean_with_error(each).reason) for each in records(random, decay, period, 0.05, times * decay)]
+                memory = autoregression.memory(numpy.array(coefficients(decay, period, 0.05))) * 0.05
+                marked = [bool(statistics.mean_with_error(each).reason) for each in records(random, decay, period, 0.05, times * memory)]
                 wrong = 100 * numpy.mean([each != wanted for each in marked])
                 with self.subTest(decay=decay, period=period, times=times):
                     self.assertLessEqual(wrong, 25 if wanted else 3)

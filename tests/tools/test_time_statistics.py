@@ -49,7 +49,7 @@ class BesideStatsmodels(unittest.TestCase):
                         self.assertAlmostEqual(orders[order][1] / noise, 1, delta=4 * order / count)
 
     def test_a_model_s_spectrum_and_memory(self):
-        """The spectrum is the sum of the autocovariances; a decay remembers for its time, an oscillation for that of its envelope."""
+        """The spectrum is the sum of the autocovariances; a decay remembers for its time, an oscillation for its period if that is the shorter."""
         for phi in MODELS[1:]:
             covariance, lags = process(phi, 2.5)(2000), numpy.arange(1, 2000)
             for frequency in (0, 0.05, 0.3):

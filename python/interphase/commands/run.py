@@ -274,7 +274,7 @@ def main():
         command = [*launch.command(binary, folder, given.ranks), "-resume"]
         record = {**earlier, "ranks": given.ranks, "until": given.until or earlier["until"], "command": command, "environment": variables,
                   "source": case_path, "process": run_state.this_process()}
-        for of_its_end in ("exit_code", "wall_time"):
+        for of_its_end in ("exit_code", "wall_time", "until_error"):
             record.pop(of_its_end, None)
         run_state.write(folder, record)  # a kill leaves the number of ranks that the folder is cut for
         return run(given, name, folder, gas, command, record, earlier_run.free_log(folder), variables, environment, say)
@@ -315,7 +315,8 @@ def run(given, name, folder, gas, command, record, log, variables, environment, 
         code = 0
     spent = record.get("cpu_time", None if given.resume else 0.0)  # of all parts; unknown where an earlier one was killed before it told
     spent = None if spent is None else round(spent + launch.cpu_of_children() - before, 3)
-    run_state.write(folder, {**record, "exit_code": code, "wall_time": round(time.time() - started, 3), "cpu_time": spent})
+    errors = {"until_error": watch.told()} if watch is not None else {}
+    run_state.write(folder, {**record, "exit_code": code, "wall_time": round(time.time() - started, 3), "cpu_time": spent, **errors})
     if watch is not None and watch.refused and not passed_on:
         raise InputError(f"{watch.refused}. The run was stopped; what it recorded is in {folder}{ending.way_to_go_on(given.case, folder)}")
     go_on = ending.way_to_go_on(given.case, folder)
@@ -328,7 +329,7 @@ def run(given, name, folder, gas, command, record, log, variables, environment, 
         print(f"tools/run: {ending.closing_words(code, log, folder, given.quiet, go_on)}", file=sys.stderr)
         return code
     finish(folder, name, gas, given.ranks, not given.no_picture, environment, say)
-    for line in watch.told() if watch else ():
+    for line in errors.get("until_error", ()):
         say(line)
     return 0
 
