@@ -7,6 +7,10 @@ independent, least. Where the least is in the latter half of a record, the recor
 the means, or five, are never all that is left, as so few lie close to each other by chance; and records below 1,000 samples are taken
 sample by sample. Of 300 steady AR(1) records of 20, 50, 100 and 300 samples each, neighbours correlated by 0.5, it calls 24, 13, 0 and 0 %
 too short to tell; by 0.9, 39, 45, 26 and 3 %.
+
+What is left of the start-up hardly moves the mean: of slugging series (0.4 s, 20 to 60 s long, some with a tenth of slow motion) and of decays that begin
+1 to 10 deviations off and settle in 1 s, 95 % bars of what is left cover 89 to 96 %. Where it settles in a tenth of the record and the
+record has no slugs, or in a seventh, they cover 84 to 88 %.
 """
 
 import math

@@ -11,6 +11,7 @@ from scipy.stats import t as student
 import measured
 from interphase import autoregression, time_statistics as statistics
 from interphase.spectrum import power_spectrum, strongest_frequency
+from interphase.start_up import truncation
 
 RECORDS = 200
 # Two binomial deviations of 95 % of 200 records beyond the 92 to 98 % that are asked for: 95 % of these are within.
@@ -56,6 +57,15 @@ class Means(unittest.TestCase):
             for length in (80, 200):
                 both = records(random, decay, 0.5, interval, length) + math.sqrt(0.1) * records(random, 2.0, None, interval, length)
                 self.check(f"slugs of {decay:g} s and a slow tenth, {length} s, {1 / interval:g} Hz", map(statistics.mean_with_error, both))
+
+    def test_a_start_up_that_is_found_and_left_out(self):
+        """Three and ten deviations off at first, settling in 1 s: bars of what MSER leaves of 60 s cover as those without a start-up."""
+        random = numpy.random.default_rng(9)
+        settling = numpy.exp(-0.05 * numpy.arange(1200))
+        for by in (3, 10):
+            rows = [each + by * settling for each in records(random, 0.5, 0.5, 0.05, 60)]
+            left = [each[truncation(each):] for each in rows]
+            self.check(f"slugs after a start-up of {by} deviations, found", map(statistics.mean_with_error, left))
 
     def test_the_sampling_rate_does_not_matter(self):
         """The same records at 1 kHz and each 50th row of them: errors alike within a fifth of themselves, and in the mean within 3 %."""
