@@ -226,7 +226,9 @@ def _voidage(asked):
         found.append(Finding(f"{method}: the voidage of cells has its peak near 0.45", FOUND if 0.42 <= peak <= 0.50 else NOT_FOUND,
                              f"the fullest class below 0.8 is at {peak:.3g}; 0.42 to 0.50 counts as found", (sheet.name,)))  # fmt: skip
     for sheet in asked.others("MPPIC"):
-        # of rows it is the mapped voidage
+        if (other_kind := _of_another_kind("MP-PIC has more cells of a voidage below 0.40", sheet, asked.base)) is not None:
+            found.append(other_kind)
+            continue
         ours, base = (next((q.mean for q in each.report.voidages if q.name.endswith("voidage below 0.4")), None) for each in (sheet, asked.base))
         if ours is None or base is None:
             continue
@@ -239,11 +241,23 @@ def _voidage(asked):
         both = [each.report.voidage for each in (sheet, asked.base)]
         if None in both:
             continue
+        if (other_kind := _of_another_kind(f"{sheet.account.method}: the voidage is spread flatter between 0.5 and 0.8", sheet, asked.base)) is not None:
+            found.append(other_kind)
+            continue
         flat = [_flatness(each) for each in both]
         found.append(Finding(f"{sheet.account.method}: the voidage is spread flatter between 0.5 and 0.8", FOUND if flat[0] > flat[1] else NOT_FOUND,
                              f"the mean class between 0.5 and 0.8 holds {100 * flat[0]:.3g} % of the fullest class below 0.8; {asked.base.name}: {100 * flat[1]:.3g} %; "
                              "without an error", (sheet.name, asked.base.name)))  # fmt: skip
     return found
+
+
+def _of_another_kind(claim, sheet, base):
+    """A `Finding` that nothing is decided, where one run tells the mapped voidage and the other that of the spheres; else None."""
+    kinds = [each.report.kind_of_voidage for each in (sheet, base)]
+    if kinds[0] == kinds[1] or not all(each.report.voidages for each in (sheet, base)):
+        return None
+    return Finding(claim, UNDECIDED, f"of {sheet.name} there is the {kinds[0]}, of {base.name} the {kinds[1]}: measure both alike, by tools/report --snapshots",
+                   (sheet.name, base.name))  # fmt: skip
 
 
 def _flatness(histogram):

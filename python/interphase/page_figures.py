@@ -101,3 +101,22 @@ def trade(points, names, title=""):
     return page_html.drawn(_laid_out(figure, names), f"cost against distance to the reference, {title or 'overall'}")
 
 
+
+
+def convergence(family, means, at_limit, reference, label):
+    """A mean over parcel diameter or step (`convergence.Family`), what it is extrapolated to (hollow) and the reference's (band), one standard error each."""
+    figure, axes = _axes((), legend=False)
+    if reference is not None and math.isfinite(reference.error):
+        axes.axhspan(reference.value - reference.error, reference.value + reference.error, color="0.85", linewidth=0, zorder=0)
+        axes.axhline(reference.value, color="0.6", linewidth=0.8, zorder=0)
+    for x, mean, fitted in zip(family.values, means, family.fitted):
+        if mean is not None:
+            axes.errorbar([x], [mean.value], yerr=[mean.error] if math.isfinite(mean.error) else None, color=style(0)["color"], marker="o" if fitted else "s",
+                          capsize=2, linestyle="none")  # fmt: skip
+    if at_limit is not None and math.isfinite(at_limit.error):
+        axes.errorbar([family.limit], [at_limit.value], yerr=[at_limit.error], color=style(1)["color"], marker="D", markerfacecolor="white", capsize=2,
+                      linestyle="none", clip_on=False)  # fmt: skip
+    axes.set(xlabel=f"{family.by}{f' [{family.unit}]' if family.unit else ' over that of a real sphere'}", ylabel=label)
+    axes.set_xlim(left=0)
+    return page_html.drawn(_laid_out(figure, (), legend=False), f"{label} over {family.by}",
+                           "Blue: runs (square: not fitted); red, hollow: extrapolated; grey: the reference.")  # fmt: skip

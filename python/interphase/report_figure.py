@@ -129,7 +129,8 @@ def _voidage(axes, reports):
         dense = share[report.voidage.edges[1:] < 0.95]
         top = max(top, dense.max(initial=0.0))
     axes.set_ylim(0, 1.25 * top or None)
-    axes.set(xlabel="mapped voidage" if any(report.of_rows for report in reports) else "voidage", ylabel="cells [%]")
+    kinds = dict.fromkeys(report.kind_of_voidage for report in reports if report.voidage is not None)
+    axes.set(xlabel=", or ".join(kinds), ylabel="cells [%]")
     axes.set_title("the empty vessel's peak at 1 is cut off", fontsize=7, color="0.45")
 
 

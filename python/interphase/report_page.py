@@ -3,7 +3,7 @@
 
 import math
 
-from interphase import findings, page_figures, page_html, report_figure, report_table, trade
+from interphase import findings, page_convergence, page_figures, page_html, page_replicates, report_figure, report_table, trade
 from interphase.page_html import link, listed, paragraph, section, table, text
 from interphase.report_table import shown
 
@@ -41,6 +41,10 @@ class Page:
             ("notes", "What is not decided, and why", self._notes()),
             ("runs", "Runs", self._runs()),
         ]
+        if converging := page_convergence.section(self.sheets, self.depth, self._to_run, distance_words):
+            parts.insert(-3, ("convergence", "Smaller parcels, smaller steps", converging))
+        if repeated := page_replicates.section(self.sheets, self.depth, self._to_run):
+            parts.insert(-3, ("replicates", "Replicates", repeated))
         contents = [(name, words) for name, words, _ in parts]
         return page_html.page(self.title, contents, "\n".join(section(name, words, inside) for name, words, inside in parts))
 

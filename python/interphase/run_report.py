@@ -80,6 +80,11 @@ class RunReport:
     notes: list = field(default_factory=list)
     of_rows: bool = False
 
+    @property
+    def kind_of_voidage(self):
+        """Rows tell it as the gas has it, mapped, snapshots of the spheres where they lie: two quantities, of which the first one is smoother."""
+        return "mapped voidage" if self.of_rows else "voidage"
+
 
 class _Rows:
     """Numbers of each snapshot, by name."""
@@ -248,7 +253,7 @@ def _voidage(report, wanted, rows):
         float(share[:, 0].mean()), float(share[:, -1].mean()),
     )
     limits = wanted.limits
-    what = "mapped voidage" if report.of_rows else "voidage"  # as the gas has it, or of the spheres where they lie
+    what = report.kind_of_voidage
     names = [f"{what} below {limits[0]:g}", *(f"{what} {a:g} to {b:g}" for a, b in zip(limits, limits[1:])),
              f"{what} above {limits[-1]:g}"]
     for name, column in zip(names, rows.limit_counts.T):

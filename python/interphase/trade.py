@@ -72,7 +72,7 @@ def quantities(report, depth):
             found[f"{component} velocity"] = "m/s", list(profile.velocity[component])
         found["granular temperature"] = "m2/s2", list(profile.temperature)
     if report.voidages:
-        found["voidage"] = "1", [each.mean for each in report.voidages]
+        found[report.kind_of_voidage] = "1", [each.mean for each in report.voidages]
     if shares := [each.mean for each in report.overlaps if each.name.startswith("overlaps below")]:
         found["overlaps"] = "1", shares
     return found
@@ -80,7 +80,11 @@ def quantities(report, depth):
 
 def distances(reference, report, depth, wanted=None):
     """[`Distance`] of a `RunReport` to the reference's, of each quantity that both have, those that are `wanted` (None: all)."""
-    ours, theirs = quantities(report, depth), quantities(reference, depth)
+    return between(quantities(reference, depth), quantities(report, depth), wanted)
+
+
+def between(theirs, ours, wanted=None):
+    """The same of what `quantities` has found of the reference, `theirs`, and of another."""
     found = []
     for name in ours:
         if name in theirs and (wanted is None or name in wanted):
@@ -119,12 +123,12 @@ def _chance(pairs, difference, variance):
         if v == 0:
             least = min(least, 1.0 if d == 0 else 0.0)
             continue
-        freedom = _freedom(v, (a.error**2, b.error**2), (a, b))
-        least = min(least, 2 * float(stats.t.sf(abs(d) / math.sqrt(v), max(freedom, 1e-3))))
+        of_both = freedom(v, (a.error**2, b.error**2), (a, b))
+        least = min(least, 2 * float(stats.t.sf(abs(d) / math.sqrt(v), max(of_both, 1e-3))))
     return min(1.0, least * len(pairs))
 
 
-def _freedom(whole, parts, means):
+def freedom(whole, parts, means):
     """Degrees of freedom of the variance `whole`, the sum of `parts` with those of `means` (Welch and Satterthwaite); 0 where one has none."""
     if any(part > 0 and mean.freedom <= 0 for part, mean in zip(parts, means)):
         return 0.0
@@ -175,6 +179,6 @@ def as_mean(values):
     count = len(known)
     errors = [each.error for each in known]
     error = math.sqrt(sum(e * e for e in errors)) / count
-    freedom = _freedom(error**2, [(e / count) ** 2 for e in errors], known) if error > 0 else math.inf
+    of_all = freedom(error**2, [(e / count) ** 2 for e in errors], known) if error > 0 else math.inf
     return Mean(sum(each.value for each in known) / count, error, known[0].deviation, min(each.samples for each in known),
-                min(each.effective for each in known), freedom, known[0].time, next((each.reason for each in known if each.reason), ""))  # fmt: skip
+                min(each.effective for each in known), of_all, known[0].time, next((each.reason for each in known if each.reason), ""))  # fmt: skip
