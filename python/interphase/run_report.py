@@ -311,5 +311,8 @@ def _strongest(report, times, values, whole):
     if found.reason:
         report.notes.append(f"strongest frequency of the pressure drop: {found.reason}")
         return
+    if math.isfinite(found.rival):
+        report.notes.append(f"strongest frequency of the pressure drop: as far as this record tells, a peak at {found.rival:.3g} Hz may be the higher one as well; half of "
+                            "what is between them is in the error")  # fmt: skip
     mean = dataclasses.replace(whole, value=found.value, error=found.error, freedom=float(COPIES - 1))
     report.series.append(Quantity("pressure drop, strongest frequency", "Hz", mean))

@@ -16,6 +16,8 @@ COVERAGE = 0.95
 LONGEST = 4096  # averages of neighbours that a frequency is looked for in
 FALSE_PEAKS = 0.005  # how often a record without any oscillation has one
 COPIES = 60  # by which the scatter of a frequency is known to 9 %
+APART = 1.5  # frequencies whose ratio is above that are two
+RIVAL = 0.01  # chance of a peak that is higher by so much where two are alike, of one band each
 
 
 @dataclass(frozen=True)
@@ -32,11 +34,13 @@ class Spectrum:
 
 @dataclass(frozen=True)
 class StrongestFrequency:
-    """`value` [Hz] and its standard `error`; NaN where no peak stands out, and `reason` says so."""
+    """`value` [Hz] and its standard `error`; NaN where no peak stands out, and `reason` says so. `rival` [Hz]: of another peak that may be the higher one, as far as
+    the record tells; NaN where there is none."""
 
     value: float
     error: float
     reason: str = ""
+    rival: float = math.nan
 
 
 def _power(values, tapers):
@@ -81,7 +85,9 @@ def strongest_frequency(times, values):
     A peak stands out where the spectrum is above that of a series with one decay time (an autoregressive model of order 1 with the
     same variance and neighbours) by more than one such series in two hundred goes anywhere (M. E. Mann, J. M. Lees, Clim. Change 33
     (1996) 409). Its frequency is the mean frequency of the power about the largest value, as far as that is above half of it. The error is the
-    scatter of the same number in COPIES series of the autoregressive model that fits the record.
+    scatter of the same number in COPIES series of the autoregressive model that fits the record. Where another peak stands out, too, whose power is not told from the
+    highest one's (Fisher's F of 14 and 14 degrees of freedom), which of them is the highest is chance, such as of a slug's frequency and its double: half of
+    what is between them is in the error then.
     """
     if len(values) < FEWEST_SAMPLES:
         return StrongestFrequency(math.nan, math.nan, f"{len(values)} samples, at least {FEWEST_SAMPLES} are needed")
@@ -110,11 +116,16 @@ def strongest_frequency(times, values):
     random = numpy.random.default_rng(0)  # the same error at each call
     burn = min(int(10 * autoregression.longest_decay(phi)) + 100, 10 * blocks)
     copies = signal.lfilter([1], [1, *-phi], math.sqrt(noise) * random.standard_normal((COPIES, burn + blocks)), axis=1)[:, burn:]
-    near = numpy.abs(numpy.log(frequency / found)) < math.log(1.5)  # another peak is another frequency
+    near = numpy.abs(numpy.log(frequency / found)) < math.log(APART)  # another peak is another frequency
     centres = []
     for each in _power(copies, tapers):
         centres.append(_centre(each, frequency, int(numpy.where(near, each, 0).argmax())))
-    return StrongestFrequency(found * sampling, float(numpy.std(centres, ddof=1)) * sampling)
+    error = float(numpy.std(centres, ddof=1))
+    others = [at for at in standing if not near[at] and power[peak] < power[at] * stats.f.isf(RIVAL, 2 * TAPERS, 2 * TAPERS)]
+    if not others:
+        return StrongestFrequency(found * sampling, error * sampling)
+    rival = _centre(power, frequency, max(others, key=lambda at: power[at]))
+    return StrongestFrequency(found * sampling, math.hypot(error, (rival - found) / 2) * sampling, rival=rival * sampling)
 
 
 def _centre(power, frequency, peak):
