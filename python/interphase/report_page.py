@@ -157,7 +157,7 @@ class Page:
                 + paragraph("Distance: difference of the means over the reference's own value (of profiles and classes: root mean square of the differences over "
                             "that of the reference). What errors alone bring is taken off the square: two equal runs are at 0 on average. Bars are one standard "
                             "error; grey reaches up to the distance that noise alone makes. <em>told apart</em>: at 95 %, Student's t, over all parts of the "
-                            "quantity. Overall: root mean square of the quantities, without overlaps, which are the method's own choice. "
+                            "quantity. Overall: root mean square of the quantities, without overlaps, which are the method's own choice, and the strongest frequency, as peaks are often alike. "
                             + text("; ".join(scales))))  # fmt: skip
 
     def _words_on_trade(self):

@@ -19,6 +19,7 @@ from interphase.statistical_comparison import uneven
 from interphase.statistics_rows import DEPTHS, samples
 from interphase.time_statistics import Mean
 
+FREQUENCY = "pressure drop, strongest frequency"
 COMPONENTS = ("horizontal", "vertical")
 DATA = ("position", "velocity", "diameter")
 WEIGHT = "weight"  # real particles in each sphere; recorded where it differs between them
@@ -315,4 +316,4 @@ def _strongest(report, times, values, whole):
         report.notes.append(f"strongest frequency of the pressure drop: as far as this record tells, a peak at {found.rival:.3g} Hz may be the higher one as well; half of "
                             "what is between them is in the error")  # fmt: skip
     mean = dataclasses.replace(whole, value=found.value, error=found.error, freedom=float(COPIES - 1))
-    report.series.append(Quantity("pressure drop, strongest frequency", "Hz", mean))
+    report.series.append(Quantity(FREQUENCY, "Hz", mean))

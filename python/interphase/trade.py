@@ -20,12 +20,13 @@ from dataclasses import dataclass
 
 from scipy import stats
 
-from interphase.run_report import COMPONENTS
+from interphase.run_report import COMPONENTS, FREQUENCY
 from interphase.time_statistics import Mean
 
 LEVEL = 0.05  # chance of calling equal runs different, of each quantity
-# Not a property of the bed: how far spheres may overlap is the springs' or the method's own choice.
-NOT_OF_THE_BED = ("overlaps",)
+# Shown, but no part of the overall distance: how far spheres may overlap is the springs' or the method's own choice; which of two peaks of a spectrum is the higher is
+# often chance (a slug's frequency and its double), and then nothing but that would be seen.
+NOT_COUNTED = ("overlaps", FREQUENCY)
 OVERALL = "overall"
 
 
@@ -137,8 +138,8 @@ def freedom(whole, parts, means):
 
 
 def overall(found):
-    """The `Distance` of all quantities together, root mean square; those that are not of the bed are left out. None of none."""
-    used = [each for each in found if each.quantity not in NOT_OF_THE_BED and math.isfinite(each.square)]
+    """The `Distance` of all quantities together, root mean square; those of NOT_COUNTED are left out. None of none."""
+    used = [each for each in found if each.quantity not in NOT_COUNTED and math.isfinite(each.square)]
     if not used:
         return None
     count = len(used)

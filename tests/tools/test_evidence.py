@@ -69,10 +69,10 @@ class Near(unittest.TestCase):
 
 class Choice(unittest.TestCase):
     def test_the_cheapest_within_an_accuracy(self):
-        """On sscp1 MP-PIC has a fifth of DEM's deviation of the pressure, CGHS 91 +- 10 %."""
-        chosen, lines = plan_choice.cheapest(ALL, TRADES, [("pressure_drop_deviation", 0.3)], None)
+        """On sscp1 MP-PIC has a quarter of TDHS's deviation of the pressure, CGHS 89 +- 10 %."""
+        chosen, lines = plan_choice.cheapest(ALL, TRADES, [("pressure_drop_deviation", 0.35)], None)
         self.assertEqual(chosen.method, "CGHS")
-        self.assertRegex(lines[0], r"MPPIC W = 8: not within: sscp1 .*at worst 84 %, above 30 %")
+        self.assertRegex(lines[0], r"MPPIC W = 8: not within: sscp1 .*at worst 83 %, above 35 %")
 
     def test_a_budget_that_is_too_small_for_it(self):
         chosen, lines = plan_choice.cheapest(ALL, TRADES, [("pressure_drop_deviation", 0.3)], 120)

@@ -4,7 +4,7 @@
 import os
 import sys
 
-from interphase import report_figure, report_file, report_keys, report_output, report_table, reporting, run_sheet
+from interphase import report_figure, report_file, report_keys, report_output, report_table, reporting, run_sheet, trades_of_runs
 from interphase.command_line import Parser, check_order, count, share, time
 from interphase.input_error import InputError
 
@@ -68,6 +68,7 @@ def arguments(given):
     )
     parser.add_argument("--html", metavar="FILE.html", help="a page of all of it, pictures inside; the first RUN is what the others are held against")
     parser.add_argument("--store", metavar="DIR", help="keep what the page is made of as a text file for each run, some 50 kB: `tools/report DIR` needs no run")
+    parser.add_argument("--trades", metavar="FILE.csv", help="keep how far each run lies off the reference as evidence for tools/plan, which reads cases/*/study/trades.csv")
     parser.add_argument("--reference", metavar="NAME", help="the run that the others are held against (default: the first; of a stored folder, DEM or TDHS)")
     parser.add_argument("--depth", choices=("front", "full"), help="the windows to show (default: see below)")
     parser.add_argument("--every", metavar="N", type=count, default=1, help="read each N-th snapshot only, and no rows (default: 1)")
@@ -87,6 +88,8 @@ def arguments(given):
         raise InputError("--own-time and --until: each run goes to its own end, or all to one; give one of them")
     if options.html:
         report_output.check_name(options.html, "--html")
+    if options.trades and not options.trades.endswith(".csv"):
+        raise InputError(f"--trades {options.trades}: give a name that ends with .csv")
     if options.store and os.path.exists(options.store) and not os.path.isdir(options.store):
         raise InputError(f"--store {options.store}: is a file; give a folder")
     if options.out and not options.out.lower().endswith((".png", ".pdf", ".svg")):
@@ -142,7 +145,8 @@ def kept(options):
     others = [path for path in options.runs if not report_output.is_stored(path)]
     if others:
         raise InputError(f"{others[0]} is no folder that --store has written, and others are: give runs, or stored folders, not both")
-    for option, given in (("--from", options.start is not None), ("--until", options.end is not None), ("--scene", options.scene), ("--store", options.store), ("--snapshots", options.snapshots)):
+    for option, given in (("--from", options.start is not None), ("--until", options.end is not None), ("--scene", options.scene), ("--store", options.store), ("--trades", options.trades),
+                          ("--snapshots", options.snapshots)):
         if given:
             raise InputError(f"{option}: what is stored has been measured already; give the runs themselves")
     return report_output.stored(options.runs), {}, []
@@ -173,6 +177,10 @@ def report(options):
     if options.store:
         for path in run_sheet.store(options.store, sheets):
             print(f"stored     {path}")
+    if options.trades:
+        trades = trades_of_runs.trades_of(sheets, folders, depth)
+        trades_of_runs.write(options.trades, trades)
+        print(f"trades     {options.trades}: {len(trades)} lines")
     if options.html:
         report_output.write(options.html, report_output.title_of(sheets), sheets, depth, notes, folders, options.confidence)
         print(f"page       {options.html}")
