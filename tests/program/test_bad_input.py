@@ -131,7 +131,8 @@ class Dictionary(SpoiledCase):
         self.refused(spoil, "`fields` in `statistics` with `model none;`", "there are no gas cells", "remove `fields`")
 
     def test_mean_fields_without_samples(self):
-        self.misspelt(COUPLING, r"interval    0\.05;       // 20 Hz.*$", "fields { }", "`fields` without an `interval`", r"add `interval 0\.05;`")
+        self.refused(self.with_edit(COUPLING, r"interval    0\.05;       // 20 Hz.*$", "fields { }"), "`fields` without an `interval`",
+                     r"where:  system/couplingDict\.statistics\n", r"add `interval 0\.05;`")  # fmt: skip
 
 
 class UnitSlips(SpoiledCase):
