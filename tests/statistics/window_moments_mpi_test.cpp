@@ -120,7 +120,7 @@ TEST(StatisticsScene, RefusesWindowsOutsideTheVessel)
 
 TEST(StatisticsScene, RefusesWindowsBesideTheMesh)
 {
-    // the left half of the vessel, as a step in the floor would leave it below z = 0.5 m; one cell on each rank's list
+    // a step in the floor: below z = 0.5 m there is the left half only
     MeshView mesh;
     if (world().is_master()) {
         mesh.centre = {{0.05, 0.05, 0.25}, {0.1, 0.05, 0.75}};
