@@ -80,8 +80,7 @@ RunRecords::RunRecords(const Scene& scene, std::optional<double> goes_on_from)
     if (statistics.interval == 0) return;
     samples_.emplace(scene.gas_case.time(), statistics.interval);
     const Box bounds = scene.gas ? scene.gas->bounds() : empty_box();
-    statistics_.emplace(scene.comm, statistics, scene.solids, scene.gas ? &scene.gas->mesh() : nullptr,
-                        scene.gas ? &bounds : nullptr);
+    statistics_.emplace(scene.comm, statistics, scene.solids, scene.gas, scene.gas ? &bounds : nullptr);
 }
 
 void RunRecords::describe(double solid_step, double gas_step)
@@ -214,7 +213,7 @@ void RunRecords::take_statistics(const Moment& moment)
     if (!samples_) return;
     if (samples_->due(now, moment.gas_step)) {
         if (moment.at_start && scene_.coupling) scene_.coupling->look_at_start();
-        statistics_->sample(now, scene_.coupling ? scene_.coupling->voidage() : Scalars{}, results_);
+        statistics_->sample(now, scene_.coupling, results_);
     }
     samples_->pass(now, moment.gas_step);
 }
@@ -233,6 +232,7 @@ void RunRecords::add_tap_row()
 void RunRecords::flush()
 {
     results_.describe("/meta", "simulated_time", scene_.gas_case.time());
+    if (statistics_) statistics_->describe_mean_fields(results_);
     results_.flush();
 }
 

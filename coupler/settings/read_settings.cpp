@@ -202,6 +202,12 @@ void read_all(Reader& dict, Settings& settings, const std::filesystem::path& fol
                              "`tapInterval " + text(settings.statistics.tap_interval) +
                                  ";` without records.pressureTaps: there is no pressure to take",
                              "add `pressureTaps ((x y z) (x y z));` to `records`, or remove tapInterval");
+    if (settings.statistics.fields.wanted && settings.statistics.interval > 0 && settings.gas == GasModel::none)
+        throw dict.complaint(
+            "statistics",
+            "a block `fields` in `statistics` with `model none;`: there are no gas cells to have means "
+            "and no files of the gas",
+            "remove `fields`, or set `gas { model frozen; coupling oneWay; }`");
     dict.block({"checkpoint",
                 "when the state is written from which the option -resume goes on; with either of these also at the "
                 "end. `touch checkpoint` in the case's folder or SIGUSR1 asks for one"},

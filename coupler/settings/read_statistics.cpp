@@ -70,7 +70,7 @@ void read_statistics(Reader& dict, StatisticsSettings& settings)
                  "most; 0: none are taken",
                  "s"},
                 settings.tap_interval, at_least(0));
-    double from = 0;
+    std::optional<double> from;
     dict.number({"from", "start-up, which tools/report leaves out", "s", "found by tools/report"}, from, any_number());
     dict.block_or_none({"windows",
                         "velocities and granular temperature at places across the bed, in a slice at the "
@@ -98,6 +98,20 @@ void read_statistics(Reader& dict, StatisticsSettings& settings)
         throw dict.complaint("bubbles", "a block `bubbles` with `surface none;`: gas above the bed is no bubble",
                              "remove `surface none;`, or set `bubbles none;`");
     settings.bubbles.wanted = settings.bubbles.wanted && settings.surface.wanted;
+    settings.fields.wanted = dict.has("fields");
+    dict.block_or_none(
+        {"fields",
+         "mean and variance over the samples, cell by cell, of voidage, gas velocity and solid velocity (this by solid "
+         "volume), as fields meanVoidage, varianceVoidage, meanU, varianceU, meanSolidsU, varianceSolidsU in the gas's "
+         "time folders, each up to its time; only where the block is there, and be it empty"},
+        settings.fields.wanted, [&](Reader& block) {
+            block.number({"from", "samples before it are left out", "s", "that of `statistics`, else the start"},
+                         settings.fields.from, any_number());
+        });
+    if (!settings.fields.from) settings.fields.from = from;
+    if (settings.fields.wanted && !dict.has("interval"))
+        throw dict.complaint("fields", "a block `fields` without an `interval`: no sample is taken",
+                             "add `interval 0.05;` to the block `statistics`, or remove `fields`");
 }
 
 }  // namespace interphase

@@ -42,6 +42,11 @@ struct StatisticsSettings {
         bool wanted = true;
         double voidage = 0.8;
     } bubbles;
+
+    struct Fields {
+        bool wanted = false;
+        std::optional<double> from;  ///< samples before it are left out [s]
+    } fields;
 };
 
 }  // namespace interphase

@@ -19,9 +19,9 @@ constexpr const char* group = "/statistics";
 
 }  // namespace
 
-Statistics::Statistics(const Communicator& comm, const StatisticsSettings& settings, Solids& solids,
-                       const MeshView* mesh, const Box* gas_bounds)
-    : comm_(comm), settings_(settings), solids_(solids), mesh_(mesh)
+Statistics::Statistics(const Communicator& comm, const StatisticsSettings& settings, Solids& solids, Gas* gas,
+                       const Box* gas_bounds)
+    : comm_(comm), settings_(settings), solids_(solids), gas_(gas), mesh_(gas ? &gas->mesh() : nullptr)
 {
     scene_ = scene_of(comm_, settings_, bed_of(comm_, solids_, gas_bounds), mesh_);
     if (mesh_) {
@@ -30,6 +30,7 @@ Statistics::Statistics(const Communicator& comm, const StatisticsSettings& setti
                                     static_cast<std::size_t>(settings_.voidage.bins));
         if (settings_.voidage.wanted) layers_.emplace(comm_, *mesh_, scene_.vessel);
         if (settings_.bubbles.wanted) bubbles_.emplace(comm_, *mesh_);
+        if (settings_.fields.wanted) mean_fields_.emplace(*mesh_);
     }
     ready();
 }
@@ -71,9 +72,15 @@ void Statistics::describe(Results& results) const
     if (bubbles_) results.describe(group, "bubble_voidage", settings_.bubbles.voidage);
 }
 
-void Statistics::sample(double time, const Scalars& voidage, Results& results)
+void Statistics::describe_mean_fields(Results& results) const
+{
+    if (mean_fields_) mean_fields_->describe(group, results);
+}
+
+void Statistics::sample(double time, const CouplingStep* coupling, Results& results)
 {
     const double start = wall_clock();
+    const Scalars& voidage = coupling ? coupling->voidage() : Scalars{};
     Results::Row row;
     row.add("time", "s", time);
     row.add("spheres", "1", static_cast<double>(comm_.sum(static_cast<long>(solids_.particles().size()))));
@@ -83,6 +90,7 @@ void Statistics::sample(double time, const Scalars& voidage, Results& results)
     if (surface_) sample_surface(row, voidage);
     sample_energy(row);
     results.add_row(group, row);
+    if (mean_fields_) sample_fields(time, *coupling);
     seconds_ += wall_clock() - start;
 }
 
@@ -147,10 +155,22 @@ void Statistics::sample_energy(Results::Row& row)
     row.add("potential_energy", "J", energy.potential);
 }
 
+void Statistics::sample_fields(double time, const CouplingStep& coupling)
+{
+    const double round_off = 1e-9 * settings_.interval;
+    if (mean_fields_->samples() == 0 && settings_.fields.from && time < *settings_.fields.from - round_off) return;
+    mean_fields_->add(time, coupling.voidage(), gas_->velocity(), coupling.solids_in_cells());
+    gas_->write_along(mean_fields_->fields());
+}
+
 void Statistics::keep(Archive& archive)
 {
     archive.keep("scene", scene_);
-    if (archive.loads()) ready();
+    archive.keep_largest("seconds", seconds_);
+    if (mean_fields_) archive.keep("mean_fields", *mean_fields_);
+    if (!archive.loads()) return;
+    ready();
+    if (mean_fields_ && mean_fields_->samples() > 0) gas_->write_along(mean_fields_->fields());
 }
 
 }  // namespace interphase

@@ -56,12 +56,73 @@ SampleWindows windows_of(const StatisticsSettings::Windows& given, const Bed& be
     return windows;
 }
 
+/// Windows that would never see a sphere. The vessel is the cells of the mesh, by the boxes around them, or, without
+/// one, a box.
+void refuse_windows_beside_the_vessel(const Communicator& comm, const SampleWindows& windows, const Box& vessel,
+                                      const MeshView* mesh)
+{
+    const std::size_t count = windows.windows();
+    Scalars held(count + 1, 0.0);  // whether the vessel has a part in each window, and in the slice of any
+    Box slice;
+    slice.row(1) << windows.front, windows.front + windows.front_depth;
+    slice.row(2) << windows.low(), windows.low() + windows.height;
+    const auto look_at = [&](const Vector& centre, const Vector& extent) {
+        constexpr double tie = 1 - 1e-6;  // what only touches has no part
+        Box cell;
+        cell << centre - tie / 2 * extent, centre + tie / 2 * extent;
+        for (std::size_t n = 0; n < count; ++n) {
+            slice.row(0) << windows.edge(n), windows.edge(n + 1);
+            Box window = slice;
+            window.row(1) << -1e300, 1e300;
+            if (overlap(window, cell)) held[n] = 1;
+            if (overlap(slice, cell)) held[count] = 1;
+        }
+    };
+    if (mesh)
+        for (std::size_t c = 0; c < mesh->size(); ++c)
+            look_at(mesh->centre[c], mesh->extent[c]);
+    else
+        look_at(vessel.rowwise().mean(), vessel.col(1) - vessel.col(0));
+    comm.max(held);
+    const auto from_to = [&](int axis) { return text(slice(axis, 0)) + " to " + text(slice(axis, 1)) + " m"; };
+    for (std::size_t n = 0; n < count; ++n) {
+        slice.row(0) << windows.edge(n), windows.edge(n + 1);
+        if (held[n] == 0)
+            throw UserError("window " + std::to_string(n + 1) + " of " + std::to_string(count) + ", x = " + from_to(0) +
+                                " at z = " + from_to(2) + ", has no part in the vessel: nothing would ever be in it",
+                            file, "correct left, right and count, or centre and height [m], or set `windows none;`");
+    }
+    if (held[count] == 0)
+        throw UserError("the slice at the front wall, y = " + from_to(1) + " at z = " + from_to(2) +
+                            ", has no part in the vessel: nothing would ever be in it",
+                        file, "correct front and frontDepth [m], or set `windows none;`");
+}
+
+void refuse_other_up(const StatisticsSettings& settings, const Vector& gravity, bool with_gas)
+{
+    if (gravity.norm() == 0 || -gravity.z() >= std::max(std::abs(gravity.x()), std::abs(gravity.y()))) return;
+    std::vector<std::string> blocks;
+    if (settings.windows.wanted) blocks.emplace_back("windows");
+    if (settings.voidage.wanted && with_gas) blocks.emplace_back("voidage");  // its layers
+    if (settings.surface.wanted) blocks.emplace_back("surface");
+    if (settings.bubbles.wanted && with_gas) blocks.emplace_back("bubbles");
+    if (blocks.empty()) return;
+    std::string remedy;
+    for (const std::string& block : blocks)
+        remedy += (remedy.empty() ? "" : " ") + block + " none;";
+    throw UserError("gravity is " + text(gravity) + " m/s2, and these take z as up: " + listed(blocks),
+                    "system/couplingDict, statistics",
+                    "turn the case so that gravity points along -z, or set `" + remedy +
+                        "`: overlaps, energies and mean fields need no direction");
+}
+
 }  // namespace
 
 Bed bed_of(const Communicator& comm, Solids& solids, const Box* gas_bounds)
 {
     const ParticleView particles = solids.particles();
     Bed bed;
+    bed.gravity = solids.gravity();
     double largest = 0, volume = 0, moment = 0;
     Box around = empty_box();
     for (std::size_t i = 0; i < particles.size(); ++i) {
@@ -114,7 +175,11 @@ StatisticsScene scene_of(const Communicator& comm, const StatisticsSettings& set
             "statistics without a gas, and without a particle at the start: there is no vessel to take them in",
             "system/couplingDict, statistics", "set `interval 0;`, or start with particles");
     scene.vessel = bed.vessel;
-    if (settings.windows.wanted) scene.windows = windows_of(settings.windows, bed);
+    refuse_other_up(settings, bed.gravity, mesh != nullptr);
+    if (settings.windows.wanted) {
+        scene.windows = windows_of(settings.windows, bed);
+        refuse_windows_beside_the_vessel(comm, *scene.windows, bed.vessel, mesh);
+    }
     const double cell = mesh ? mean_extent(comm, *mesh, 0) : 0;
     const double width = std::max({cell, column_in_diameters * bed.mean, 1e-6 * (bed.vessel(0, 1) - bed.vessel(0, 0))});
     scene.columns = settings.surface.columns > 0

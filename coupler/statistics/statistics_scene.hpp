@@ -27,10 +27,11 @@ struct SampleWindows {
 
 /// The vessel, and the spheres in it.
 struct Bed {
-    Box vessel = empty_box();      ///< around the gas mesh, else the particles' domain, else around all spheres [m]
-    double count = 0;              ///< spheres
-    double largest = 0, mean = 0;  ///< diameter, and that of the mean volume [m]
-    double middle = 0;             ///< mean height of their volume, z [m]
+    Box vessel = empty_box();         ///< around the gas mesh, else the particles' domain, else around all spheres [m]
+    double count = 0;                 ///< spheres
+    double largest = 0, mean = 0;     ///< diameter, and that of the mean volume [m]
+    double middle = 0;                ///< mean height of their volume, z [m]
+    Vector gravity = Vector::Zero();  ///< [m/s2]
 };
 
 /// What there is now; `gas_bounds` null: no gas. Where no sphere is there, diameters are those that are to come.
@@ -47,7 +48,8 @@ struct StatisticsScene {
 };
 
 /// By what is given, and for the rest by the bed. Throws a UserError where a window is empty or has no part in the
-/// vessel, or where there is no sphere to tell where windows belong. `mesh` null: no gas. Collective.
+/// vessel, where there is no sphere to tell where windows belong, or where what takes z as up is asked for and gravity
+/// has its largest part along another axis, or up. `mesh` null: no gas. Collective.
 StatisticsScene scene_of(const Communicator& comm, const StatisticsSettings& settings, const Bed& bed,
                          const MeshView* mesh);
 

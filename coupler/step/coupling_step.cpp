@@ -147,9 +147,8 @@ void CouplingStep::take_voidage(const Scalars& solid_volume)
         voidage_[c] = 1.0 - solid_volume[c] / gas_.mesh().volume[c];
 }
 
-void CouplingStep::map_voidage()
+void CouplingStep::place_visitors()
 {
-    stopwatch_.switch_to(Phase::mapping);
     positions_.resize(visitors_.size());
     volumes_.resize(visitors_.size());
     for (std::size_t i = 0; i < visitors_.size(); ++i) {
@@ -157,6 +156,12 @@ void CouplingStep::map_voidage()
         volumes_[i] = visitors_.visitor[i].volume;
     }
     mapping_.place(positions_, visitors_.cell, volumes_);
+}
+
+void CouplingStep::map_voidage()
+{
+    stopwatch_.switch_to(Phase::mapping);
+    place_visitors();
     for (const CellAddress& owner : owner_cells_)
         outside_ += !owner.known();
     if (!needs_solid_volume()) return;
@@ -290,6 +295,17 @@ void CouplingStep::book_solids(const ParticleView& particles)
     ledger_.solids.step = {sum(volumes), in - booked_in_, out - booked_out_};
     booked_in_ = in;
     booked_out_ = out;
+}
+
+std::vector<CellSolids> CouplingStep::solids_in_cells() const
+{
+    std::vector<CellSolids> of_visitors(visitors_.size());
+    for (std::size_t i = 0; i < visitors_.size(); ++i) {
+        const Visitor& visitor = visitors_.visitor[i];
+        of_visitors[i].volume = visitor.volume;
+        set(of_visitors[i].flow, visitor.volume * to_vector(visitor.velocity));
+    }
+    return mapping_.deposit(of_visitors);
 }
 
 std::size_t CouplingStep::bytes_sent() const

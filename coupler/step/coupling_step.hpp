@@ -15,6 +15,7 @@
 #include "mapping/mapping.hpp"
 #include "momentum/ledger.hpp"
 #include "settings/settings.hpp"
+#include "step/cell_solids.hpp"
 #include "step/gas.hpp"
 #include "step/interphase_forces.hpp"
 #include "step/population_watch.hpp"
@@ -47,6 +48,9 @@ public:
     /// What came and went so far, on all ranks. Collective.
     const PopulationTotals& population() const { return population_.of_all_ranks(); }
     const Scalars& voidage() const { return voidage_; }
+    /// The solids of the own cells as voidage() has them, at the velocities with which they began the step [n].
+    /// Collective.
+    std::vector<CellSolids> solids_in_cells() const;
     /// What the next gas step should not exceed, the same on all ranks [s]: what the solid stress bore in the last one
     /// (eq. 28 of the paper), and what the stability watch asks for.
     double longest_step() const { return std::min(stress_ ? stress_->longest_step() : DBL_MAX, watch_.longest_step()); }
@@ -84,6 +88,7 @@ private:
     void note_newcomers(const ParticleView& particles);
     void displace_gas_of_newcomers();
     std::vector<double> at_visitors(std::vector<double> of_travellers) const;
+    void place_visitors();
     void map_voidage();
     void take_voidage(const Scalars& solid_volume);
     void map_solid_stress();

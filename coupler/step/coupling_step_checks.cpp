@@ -21,31 +21,24 @@ void CouplingStep::inspect_start()
 void CouplingStep::look_at_start()
 {
     inspect_start();
-    if (!settings_.two_way) return;  // the gas does not feel the particles
     const ParticleView particles = solids_.particles();
     std::vector<CellAddress> cells(particles.size());
     place_in_periods(particles);
     owner_cell_search_.update(images_of(particles), particles.radius, cells);
     owner_exchange_.plan(cells);
-    struct Sphere {
-        double position[3], volume;
-    };
-    std::vector<Sphere> travelling, arrived;
+    travellers_.visitor.clear();
     for (const std::size_t i : owner_exchange_.order()) {
         const auto column = static_cast<Eigen::Index>(i);
-        Sphere sphere{{}, sphere_volume(particles.radius[column])};
-        set(sphere.position, images_of(particles).col(column));
-        travelling.push_back(sphere);
+        Visitor visitor{};
+        set(visitor.position, images_of(particles).col(column));
+        set(visitor.velocity, particles.velocity.col(column));
+        visitor.volume = sphere_volume(particles.radius[column]);
+        travellers_.visitor.push_back(visitor);
     }
-    owner_exchange_.gather(Message(travelling, arrived));
-    Vectors positions;
-    Scalars volumes;
-    for (const Sphere& sphere : arrived) {
-        positions.push_back(to_vector(sphere.position));
-        volumes.push_back(sphere.volume);
-    }
-    mapping_.place(positions, owner_exchange_.cells(), volumes);
-    take_voidage(mapping_.solid_volume(volumes));
+    owner_exchange_.gather(Message(travellers_.visitor, visitors_.visitor));
+    visitors_.cell = owner_exchange_.cells();
+    place_visitors();
+    if (settings_.two_way) take_voidage(mapping_.solid_volume(volumes_));  // else the gas does not feel the particles
 }
 
 void CouplingStep::refuse_other_periods() const

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/problem.hpp"
 #include "exchange/cell_locator.hpp"
@@ -54,6 +55,14 @@ struct GasProperty {
     Scalars of_cells;  ///< empty where it is uniform
 };
 
+/// A quantity of this rank's cells, for the gas's files.
+struct CellField {
+    std::string name;
+    Scalars values;  ///< [n], or [n x 3] of a vector, in the unit (m/s)^velocities
+    int velocities;
+    bool vector;
+};
+
 /// The gas on this rank's cells [n]. Cell vectors are flat, [n x 3].
 class Gas {
 public:
@@ -91,6 +100,9 @@ public:
     /// Of a flow q of the cells [n x 3] that stops at every boundary: dq_x/dx, dq_y/dy, dq_z/dz, apart [n x 3, q/m].
     /// Collective.
     virtual Scalars stretching(const Scalars& flow) const = 0;
+
+    /// Whenever its own fields are written, these are, too; each call sets the values of those it names. Collective.
+    virtual void write_along(const std::vector<CellField>& fields) = 0;
 
     /// What is wrong with the fields of this rank, if anything (a value that is not finite: field, cell, place).
     virtual std::optional<Problem> trouble() const = 0;

@@ -122,6 +122,18 @@ class Dictionary(SpoiledCase):
         self.refused(self.with_edit(COUPLING, r"0\.3461\)\)", "3.461))"), r"\(0\.1143 0\.0381 3\.461\)", "in no cell",
                      r"between \(0 0 0\) and \(0\.2286 0\.0762 1\.2192\) m", "pressureTaps", "or none")  # fmt: skip
 
+    def test_mean_fields_without_a_gas(self):
+        def spoil(folder):
+            self.edit(folder, COUPLING, r"^statistics\n\{", "statistics\n{\n    fields { }")
+            self.edit(folder, COUPLING, r"model +pimple;", "model none;")
+            self.edit(folder, COUPLING, r"coupling +twoWay;", "coupling oneWay;")
+
+        self.refused(spoil, "`fields` in `statistics` with `model none;`", "there are no gas cells", "remove `fields`")
+
+    def test_mean_fields_without_samples(self):
+        self.refused(self.with_edit(COUPLING, r"interval    0\.05;       // 20 Hz.*$", "fields { }"), "`fields` without an `interval`",
+                     r"where:  system/couplingDict\.statistics\n", r"add `interval 0\.05;`")  # fmt: skip
+
 
 class UnitSlips(SpoiledCase):
     def test_negative_gas_density(self):

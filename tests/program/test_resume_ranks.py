@@ -11,6 +11,7 @@ import shutil
 import numpy
 
 import support
+import test_mean_fields
 import test_populations
 import vessel
 from interphase import foam_file
@@ -40,6 +41,7 @@ def at_time(run, time):
 class ResumeOnOtherRanks(ResumedMethods, support.ProgramTest):
     stop, end = 0.02, 0.04
     periods = None  # [3, m]
+    fields = FIELDS
 
     def bed(self, method):
         """At rest, so that a difference does not grow by collisions."""
@@ -86,11 +88,11 @@ class ResumeOnOtherRanks(ResumedMethods, support.ProgramTest):
     def gas_at_stop(self, folder, ranks):
         """{field: text of cells, boundaries and conditions with all digits}; nothing where there is no gas."""
         if foam_file.value(support.read(folder, "system/couplingDict"), "gas/model") == "none":
-            return dict.fromkeys(FIELDS)
+            return dict.fromkeys(self.fields)
         if ranks > 1:
             command = ["reconstructPar", "-case", folder, "-time", f"{self.stop:g}"]
             support.launch.step(command, os.path.join(folder, "log.reconstructPar"), support.environment(), folder)
-        return {name: support.read(folder, f"{self.stop:g}", name).split("dimensions", 1)[1] for name in FIELDS}
+        return {name: support.read(folder, f"{self.stop:g}", name).split("dimensions", 1)[1] for name in self.fields}
 
     def expect_same_at_stop(self, source, target, whole, stopped, ranks):
         expected, found = at_time(whole, self.stop), at_time(stopped, self.stop)
@@ -100,7 +102,7 @@ class ResumeOnOtherRanks(ResumedMethods, support.ProgramTest):
         for name, values in expected.items():
             self.assertEqual(values.tobytes(), found[name].tobytes(), name)
         gas, here = self.gas_at_stop(source, ranks[0]), self.gas_at_stop(target, ranks[1])
-        self.assertEqual([name for name in FIELDS if gas[name] != here[name]], [])
+        self.assertEqual([name for name in self.fields if gas[name] != here[name]], [])
 
     def expect_closed_books(self, run):
         if len(run.run.ledger):  # else the gas does not feel the particles
@@ -159,6 +161,13 @@ class ResumeOnOtherRanks(ResumedMethods, support.ProgramTest):
         self.edit(case, "0/U", r"inlet\s*\{[^}]*\}", INLET)
         self.edit(case, "0/U", r"outlet\s*\{[^}]*\}", OUTLET)
         self.change(case, "CGPM", (1, 3, (1, 2, 2)), **{"system/fvSchemes:ddtSchemes/default": "backward"})
+
+    def test_mean_fields_go_with_their_cells(self):
+        case = self.bed("CGPM")
+        self.edit(case, "system/couplingDict", r"^statistics\n\{", "statistics\n{\n    fields { from 0; }")
+        self.set_entry(case, "system/couplingDict", "statistics/interval", 2 * vessel.GAS_STEP)
+        self.fields = FIELDS + test_mean_fields.NAMES
+        self.change(case, "CGPM", (2, 3, 1))
 
     def test_other_cuts_for_as_many_ranks(self):
         self.change(self.bed("DEM"), "DEM", ((2, 1, 1), (1, 1, 2)))

@@ -121,6 +121,15 @@ class Statistics(ResumedRun, support.ProgramTest):
         for words in ("the windows are outside of the vessel: z = ", "statistics.windows", "correct centre and height [m]"):
             self.assertIn(words, done.text)
 
+    def test_gravity_across_the_height_is_refused_before_the_run(self):
+        folder = self.case(self.ready("CGPM")[0], "statistics { interval 0.001; }\n")
+        self.edit(folder, "constant/g", r"^value .*;", "value (0 -9.81 0);")
+        self.edit(folder, "dem/in.liggghts", r"vector 0\.0 0\.0 -1\.0", "vector 0.0 -1.0 0.0")
+        done = support.execute(folder)
+        self.assertEqual(done.code, 1)
+        for words in ("gravity is (0 -9.81 0) m/s2", "these take z as up: windows, voidage, surface, bubbles", "gravity points along -z"):
+            self.assertIn(words, done.text)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -106,6 +106,9 @@ TEST(StatisticsScene, RefusesWindowsOutsideTheVessel)
     settings = {};
     settings.windows.front = 0.2;
     refused(settings, "outside of the vessel: y = 0.2");
+    settings = {};
+    settings.windows.left = -0.2;
+    refused(settings, "window 1 of 5, x = -0.2 to -0.12 m");
     try {
         auto none = test::shared({});
         scene_of(world(), {}, bed_of(world(), none, &vessel), nullptr);
@@ -113,6 +116,66 @@ TEST(StatisticsScene, RefusesWindowsOutsideTheVessel)
     } catch (const UserError& error) {
         EXPECT_NE(std::string(error.what()).find("windows/centre is not given"), std::string::npos) << error.what();
     }
+}
+
+TEST(StatisticsScene, RefusesWindowsBesideTheMesh)
+{
+    // a step in the floor: below z = 0.5 m there is the left half only
+    MeshView mesh;
+    if (world().is_master()) {
+        mesh.centre = {{0.05, 0.05, 0.25}, {0.1, 0.05, 0.75}};
+        mesh.extent = {{0.1, 0.1, 0.5}, {0.2, 0.1, 0.5}};
+        mesh.volume = {0.005, 0.01};
+    }
+    auto particles = test::shared({{1, {0.01, 0.01, 0.02}}, {2, {0.05, 0.01, 0.04}}});
+    Box vessel;
+    vessel << 0, 0.2, 0, 0.1, 0, 1;
+    const Bed bed = bed_of(world(), particles, &vessel);
+    StatisticsSettings settings;
+    settings.windows.count = 4;
+    settings.windows.height = 0.1;
+    const auto refusal = [&] {
+        try {
+            scene_of(world(), settings, bed, &mesh);
+        } catch (const UserError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    settings.windows.centre = 0.4;
+    EXPECT_NE(refusal().find("window 3 of 4, x = 0.1 to 0.15 m at z = 0.35 to 0.45 m, has no part in the vessel"),
+              std::string::npos)
+        << refusal();
+    settings.windows.centre = 0.6;
+    EXPECT_EQ(refusal(), "");
+    settings.windows.centre = 0.4;
+    settings.windows.right = 0.1;
+    EXPECT_EQ(refusal(), "");
+}
+
+TEST(StatisticsScene, TakesZAsUp)
+{
+    Box vessel;
+    vessel << 0, 0.2, 0, 0.1, 0, 1;
+    StatisticsSettings settings;
+    const auto refusal = [&](const Vector& gravity) {
+        auto particles = test::shared({{1, {0.01, 0.01, 0.02}}, {2, {0.05, 0.01, 0.04}}}, gravity);
+        try {
+            scene_of(world(), settings, bed_of(world(), particles, &vessel), nullptr);
+        } catch (const UserError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    for (const Vector& down : {Vector(0, 0, -9.81), Vector(0, 0, 0), Vector(4, 0, -9)})
+        EXPECT_EQ(refusal(down), "");
+    for (const Vector& other : {Vector(0, -9.81, 0), Vector(0, 0, 9.81), Vector(-9, 0, -4)}) {
+        const std::string words = refusal(other);
+        EXPECT_NE(words.find("these take z as up: windows, surface"), std::string::npos) << words;
+        EXPECT_NE(words.find("set `windows none; surface none;`"), std::string::npos) << words;
+    }
+    settings.windows.wanted = settings.surface.wanted = false;
+    EXPECT_EQ(refusal({0, -9.81, 0}), "");
 }
 
 }  // namespace

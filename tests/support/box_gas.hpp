@@ -30,7 +30,10 @@ public:
     /// Green-Gauss with values linear between the centres: OpenFOAM's `Gauss linear`.
     Scalars gradient(const Scalars& of_cells) const override;
     Scalars stretching(const Scalars& flow) const override;
+    void write_along(const std::vector<CellField>& fields) override { written_along = fields; }
     std::optional<Problem> trouble() const override { return trouble_; }
+
+    std::vector<CellField> written_along;  ///< as given last
 
     /// Everywhere [m/s].
     void set_velocity(const Vector& u);

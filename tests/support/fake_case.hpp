@@ -44,6 +44,7 @@ public:
     Scalars viscous_force() const override { return box.viscous_force(); }
     Scalars gradient(const Scalars& of_cells) const override { return box.gradient(of_cells); }
     Scalars stretching(const Scalars& flow) const override { return box.stretching(flow); }
+    void write_along(const std::vector<CellField>& fields) override { box.write_along(fields); }
     std::optional<Problem> trouble() const override { return box.trouble(); }
 
     double courant_number() const override { return courant; }

@@ -139,8 +139,8 @@ std::string FoamDictionary::written(const std::string& key) const
 std::string FoamDictionary::place(const std::string& key) const
 {
     const Foam::entry* entry = dict_.findEntry(key, literal);
-    // OpenFOAM counts a block from the line of its first entry
-    if (!entry) return path_;
+    // OpenFOAM counts a block from the line of its first entry, and knows no line of an empty one
+    if (!entry || entry->startLineNumber() < 0) return path_;
     return path_ + (entry->isDict() ? ", block at line " : ", line ") + std::to_string(entry->startLineNumber());
 }
 

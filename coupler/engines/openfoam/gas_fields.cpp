@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "base/user_error.hpp"
+#include "engines/openfoam/fields_of_others.hpp"
 #include "engines/openfoam/gas_state.hpp"
 #include "fixedValueFvPatchFields.H"
 #include "fvcFlux.H"
@@ -156,6 +157,8 @@ Scalars GasFields::stretching(const Scalars& flow) const
         gradient()[c][4 * axis];  // the diagonal
     return numbers;
 }
+
+void GasFields::write_along(const std::vector<CellField>& fields) { set_in_registry(mesh_, fields); }
 
 std::optional<Problem> GasFields::trouble() const
 {

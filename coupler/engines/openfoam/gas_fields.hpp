@@ -35,6 +35,7 @@ public:
     Scalars viscous_force() const override;
     Scalars gradient(const Scalars& of_cells) const override;
     Scalars stretching(const Scalars& flow) const override;
+    void write_along(const std::vector<CellField>& fields) override;
     std::optional<Problem> trouble() const override;
     double pressure_at(const Vector& point) const override;
     double total_volume() const override;

@@ -12,7 +12,7 @@ Commands:
   phases     A coupled run: the share of each phase in its wall-clock time, what the coupling itself costs
              (mapping + exchange + output), and the whole against solids + gas alone.
   cost-model The cost of the particles against S, W and N beside the paper's model (eqs. 24 to 28), from beds that bubble; tools/COST.md.
-  statistics What statistics in the run cost on sscp1: a sample, and the share of the time at an interval.
+  statistics What statistics in the run cost on sscp1: a sample, and the share of the time at an interval, without and with mean fields.
   records    What it costs that nothing is lost, on sscp1: rows, one a gas step; a checkpoint; as shares of the time.
 
 Machines are noisy and often shared, so single seconds mean little: read the ratios, and repeat.
@@ -192,16 +192,18 @@ def records(given):
 
 
 def statistics_in_run(given):
-    """From what a run itself books for its samples."""
-    print(f"{'method':8s} {'tracked':>8s} {'a sample [ms]':>14s} {'share of the time':>18s}")
+    """From what a run itself books for its samples, without and with mean fields."""
+    print(f"{'method':8s} {'tracked':>8s} {'a sample [ms]':>14s} {'share of the time':>18s} {'with mean fields [ms]':>22s} {'share of the time':>18s}")
     for method, weight in (("CGPM", 8), ("CGHS", 8), ("MPPIC", 8), ("TDHS", 1)):
         entries = {"method": method, "weight": weight, "statistics/interval": given.interval, **NOTHING_ELSE}
-        with tempfile.TemporaryDirectory(prefix="interphase-bench-") as scratch:
-            folder = os.path.join(scratch, "run")
-            _, meta = ran(folder, given.until, **entries)
-            spent = stored.attributes(os.path.join(folder, "results.h5"), "statistics")["wall_time"]
-            samples = len(Run(folder).samples["spheres"].time)
-        print(f"{method:5s}{weight:3d} {meta['particles']:8.0f} {1e3 * spent / samples:14.2f} {100 * spent / meta['wall_time']:16.2f} %", flush=True)
+        measured = []
+        for fields in ({}, {"statistics/fields/from": 0}):
+            with tempfile.TemporaryDirectory(prefix="interphase-bench-") as scratch:
+                folder = os.path.join(scratch, "run")
+                _, meta = ran(folder, given.until, **entries, **fields)
+                spent = stored.attributes(os.path.join(folder, "results.h5"), "statistics")["wall_time"]
+                measured += [1e3 * spent / len(Run(folder).samples["spheres"].time), 100 * spent / meta["wall_time"]]
+        print(f"{method:5s}{weight:3d} {meta['particles']:8.0f} {measured[0]:14.2f} {measured[1]:16.2f} % {measured[2]:22.2f} {measured[3]:16.2f} %", flush=True)
 
 
 def settled_bed(count, settle, steps):
