@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Sheets of runs as a page in a file, with pictures of the runs that are still there; what tools/report and tools/study end with."""
 
+import dataclasses
 import os
 
 from interphase import page_html, page_pictures, run_sheet, whole_file
@@ -18,19 +19,24 @@ def is_stored(path):
     return path.endswith(run_sheet.END)
 
 
+def _measured(scene):
+    """What of a `Scene` has to be alike: rows know the voidage without its mesh, and a report keeps the two kinds of voidage apart."""
+    return scene if scene.voidage is None else dataclasses.replace(scene, voidage=dataclasses.replace(scene.voidage, mesh=None))
+
+
 def stored(paths):
-    """[`Sheet`] of the sheets, or the folders of sheets, at `paths`."""
-    files = [file for path in paths for file in (run_sheet.stored_in(path) if os.path.isdir(path) else [path])]
-    sheets = [run_sheet.read(file) for file in files]
+    """[`Sheet`] of the sheets, or the folders of sheets, at `paths`; of a folder, what may be a reference comes first."""
+    sheets = []
+    for path in paths:
+        some = [run_sheet.read(file) for file in (run_sheet.stored_in(path) if os.path.isdir(path) else [path])]
+        sheets += sorted(some, key=lambda sheet: FIRST_OF.index(sheet.account.method) if sheet.account.method in FIRST_OF else len(FIRST_OF))
     first = sheets[0]
     for sheet in sheets[1:]:
-        if sheet.scene != first.scene:
+        if _measured(sheet.scene) != _measured(first.scene):
             raise InputError(f"{first.name} and {sheet.name} do not measure the same: windows, overlaps or voidage differ; give them apart")
     names = [sheet.name for sheet in sheets]
     if twice := next((name for name in names if names.count(name) > 1), None):
         raise InputError(f"two of the sheets are of a run {twice}: give one of them, or rename a file and its `name`")
-    if len(paths) == 1 and os.path.isdir(paths[0]):
-        sheets.sort(key=lambda sheet: FIRST_OF.index(sheet.account.method) if sheet.account.method in FIRST_OF else len(FIRST_OF))
     return sheets
 
 
