@@ -15,12 +15,13 @@ namespace interphase::contacts {
 /// A `State` for each contact of each particle while it lasts; each of two spheres has its own. Particles go by their
 /// index in LIGGGHTS, which may reorder and exchange them between two steps.
 ///
-/// A contact with a wall is known by the wall and by its direction, so that a sphere that slides from one triangle of a mesh to the next
-/// keeps what it knows, and one in a corner keeps its sides apart.
+/// A contact with a wall is known by the wall and by its direction, so that a sphere that slides from one triangle of a
+/// mesh to the next keeps what it knows, and one in a corner keeps its sides apart.
 template <class State>
 class ContactMemory {
-    static_assert(std::is_trivially_copyable_v<State>, "the state of a contact travels between ranks as plain bytes: "
-                                                       "give it numbers and arrays of numbers, no pointers");
+    static_assert(std::is_trivially_copyable_v<State>,
+                  "the state of a contact travels between ranks as plain bytes: "
+                  "give it numbers and arrays of numbers, no pointers");
 
 public:
     using Partner = std::int64_t;  ///< above 0: a sphere's id, below 0: a wall
@@ -48,8 +49,8 @@ public:
         return found->state;
     }
 
-    /// After all contacts of a step: those that were not recalled have ended. Returns the most numbers that a particle packs.
-    /// `ids`: of the particles [n].
+    /// After all contacts of a step: those that were not recalled have ended. Returns the most numbers that a particle
+    /// packs. `ids`: of the particles [n].
     int end_step(const int* ids, int n)
     {
         std::size_t most = 0;
@@ -71,7 +72,8 @@ public:
     /// The particle's id when its contacts were remembered; 0 where it has none.
     int id(int particle) const { return of_[at(particle)].entries.empty() ? 0 : of_[at(particle)].id; }
 
-    /// Where ids have been given anew: `now` has the new one under the old one; contacts with those who are not in it end.
+    /// Where ids have been given anew: `now` has the new one under the old one; contacts with those who are not in it
+    /// end.
     void rename(const std::unordered_map<int, int>& now, int n)
     {
         for (int i = 0; i < n; ++i)
@@ -95,7 +97,8 @@ public:
         const Particle& packed = of_[at(particle)];
         buffer[0] = static_cast<double>(packed.entries.size());
         buffer[1] = packed.id;
-        if (!packed.entries.empty()) std::memcpy(buffer + head, packed.entries.data(), packed.entries.size() * sizeof(Entry));
+        if (!packed.entries.empty())
+            std::memcpy(buffer + head, packed.entries.data(), packed.entries.size() * sizeof(Entry));
         return size(particle);
     }
     int unpack(int particle, const double* buffer)
@@ -104,13 +107,15 @@ public:
         unpacked.entries.resize(static_cast<std::size_t>(buffer[0]));
         unpacked.id = static_cast<int>(buffer[1]);
         if (!unpacked.entries.empty())
-            std::memcpy(static_cast<void*>(unpacked.entries.data()), buffer + head, unpacked.entries.size() * sizeof(Entry));
+            std::memcpy(static_cast<void*>(unpacked.entries.data()), buffer + head,
+                        unpacked.entries.size() * sizeof(Entry));
         return size(particle);
     }
     int size(int particle) const { return static_cast<int>(head + of_[at(particle)].entries.size() * numbers); }
 
 private:
-    static constexpr double least_alike = 0.5;  ///< cosine: a wall that has turned by more than 60 degrees is another one
+    static constexpr double least_alike =
+        0.5;  ///< cosine: a wall that has turned by more than 60 degrees is another one
     static constexpr Partner nobody = 0;
 
     struct alignas(double) Entry {

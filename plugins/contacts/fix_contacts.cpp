@@ -11,7 +11,7 @@
 namespace interphase::contacts {
 
 FixContacts::FixContacts(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg, const char* wall_style)
-    : Fix(lmp, narg, arg), wall_style_(wall_style)
+    : Fix(lmp, narg, arg), wall_style_(wall_style), reach_(*lmp, 2)
 {
     if (!atom->sphere_flag) complain("the particles are no spheres; use atom_style granular");
     comm_forward = 2;
@@ -25,33 +25,6 @@ int FixContacts::setmask()
     return PRE_NEIGHBOR | POST_FORCE;
 }
 
-double FixContacts::shared_largest() const
-{
-    double largest = 0;
-    for (int i = 0; i < atom->nlocal; ++i)
-        largest = std::max(largest, atom->radius[i]);
-    MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
-    return largest;
-}
-
-/// Called where ghosts have just been fetched and no list of neighbours is built yet: they are fetched anew where spheres have come or
-/// grown that touch others from farther away. LIGGGHTS asks extend_cut_ghost() in comm->setup() only.
-void FixContacts::reach_largest()
-{
-    const double largest = shared_largest();
-    if (largest <= largest_radius_) return;
-    largest_radius_ = largest;
-    comm->setup();
-    if (neighbor->style) neighbor->setup_bins();
-    comm->exchange();
-    comm->borders();
-}
-
-bool FixContacts::sizes_change() const
-{
-    return std::any_of(modify->fix, modify->fix + modify->nfix, [](const Fix* fix) { return fix->rad_mass_vary_flag != 0; });
-}
-
 void FixContacts::setup(int vflag)
 {
     collect_walls();
@@ -62,8 +35,7 @@ void FixContacts::setup(int vflag)
 
 void FixContacts::begin_step()
 {
-    // what changes sizes (fix adapt) does so on a rank's own spheres, after their ghosts have been told of them
-    if (sizes_change()) comm->forward_comm_fix(this);
+    if (sizes_change(*lmp)) comm->forward_comm_fix(this);
     contact_.step = in_setup_ ? 0 : update->dt;
     double largest = 0;
     const int count = atom->nlocal + atom->nghost;
@@ -84,7 +56,7 @@ void FixContacts::end_step(int longest)
         sizes[0] = std::max(sizes[0], atom->radius[i]);
     MPI_Allreduce(MPI_IN_PLACE, sizes, 2, MPI_DOUBLE, MPI_MAX, world);
     longest_ = static_cast<int>(sizes[1]);
-    if (sizes[0] > largest_radius_) next_reneighbor = update->ntimestep + 1;
+    if (sizes[0] > reach_.largest_radius()) next_reneighbor = update->ntimestep + 1;
 }
 
 int FixContacts::pack_comm(int n, int* list, double* buffer, int, int*)
@@ -104,7 +76,8 @@ void FixContacts::unpack_comm(int n, int first, double* buffer)
     }
 }
 
-/// Sets contact_ and arm_ of two spheres that overlap. All of it changes its sign, and nothing else, as i and j change places.
+/// Sets contact_ and arm_ of two spheres that overlap. All of it changes its sign, and nothing else, as i and j change
+/// places.
 void FixContacts::touch(int i, int j)
 {
     const Vector apart = to_vector(atom->x[i]) - to_vector(atom->x[j]);
@@ -154,8 +127,9 @@ void FixContacts::push(int i, Partner partner, const Push& push)
 {
     if (!push.force.allFinite() || !push.moment.allFinite())
         complain_alone("the law answers a force of " + text(push.force) + " N and a moment of " + text(push.moment) +
-                       " N m on sphere " + std::to_string(atom->tag[i]) + ", at an overlap of " + text(contact_.overlap) +
-                       " m with " + (partner > 0 ? "sphere " + std::to_string(partner) : "a wall") + " and a velocity of " +
+                       " N m on sphere " + std::to_string(atom->tag[i]) + ", at an overlap of " +
+                       text(contact_.overlap) + " m with " +
+                       (partner > 0 ? "sphere " + std::to_string(partner) : "a wall") + " and a velocity of " +
                        text(contact_.velocity) + " m/s there. Look for a division by 0 in it, or for a step too long");
     const Vector torque = push.moment - arm_ * contact_.normal.cross(push.force);
     for (int k = 0; k < 3; ++k) {

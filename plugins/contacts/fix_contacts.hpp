@@ -10,14 +10,16 @@
 
 #include "contacts/cells.hpp"
 #include "contacts/contact.hpp"
+#include "contacts/ghost_reach.hpp"
 #include "plugin/plugin.hpp"
 #include "walls/fix_wall.hpp"
 
 namespace interphase::contacts {
 
-/// The base of a fix style that pushes spheres apart where they touch. It finds the contacts of the fix's group, among each other and
-/// with the walls of the fixes of style `wall_style`, on any number of ranks, and hands each to a law. Spheres may be
-/// inserted, removed and grow while the run goes on. It adds forces and torques; another fix, such as nve/sphere, moves the spheres.
+/// The base of a fix style that pushes spheres apart where they touch. It finds the contacts of the fix's group, among
+/// each other and with the walls of the fixes of style `wall_style`, on any number of ranks, and hands each to a law.
+/// Spheres may be inserted, removed and grow while the run goes on. It adds forces and torques; another fix, such as
+/// nve/sphere, moves the spheres.
 ///
 /// A fix of this base overrides post_force() and calls each_contact() there, once.
 class FixContacts : public LAMMPS_NS::Fix {
@@ -27,9 +29,9 @@ public:
     int setmask() override;
     void init() override;
     void setup(int) override;
-    void setup_pre_neighbor() override { reach_largest(); }
-    void pre_neighbor() override { reach_largest(); }
-    double extend_cut_ghost() override { return 2 * largest_radius_; }
+    void setup_pre_neighbor() override { reach_.renew(); }
+    void pre_neighbor() override { reach_.renew(); }
+    double extend_cut_ghost() override { return reach_.distance(); }
     int pack_comm(int n, int* list, double* buffer, int, int*) override;
     void unpack_comm(int n, int first, double* buffer) override;
 
@@ -38,8 +40,8 @@ public:
 protected:
     using Partner = std::int64_t;  ///< id of a sphere, above 0, or the key of a wall, below 0
 
-    /// law(contact) -> Push, for each contact of each of this rank's spheres. A contact of two spheres is asked for twice,
-    /// once for each: what it does to one must be the opposite of what it does to the other. Collective.
+    /// law(contact) -> Push, for each contact of each of this rank's spheres. A contact of two spheres is asked for
+    /// twice, once for each: what it does to one must be the opposite of what it does to the other. Collective.
     template <class Law>
     void each_contact(const Law& law)
     {
@@ -48,8 +50,8 @@ protected:
         end_step(0);
     }
 
-    /// Reads `fix ID all property/global NAME peratomtypepair ...`. A value for which `holds` is false ends the run with the
-    /// words of `demand`, such as "give numbers above 0 N/m". Collective.
+    /// Reads `fix ID all property/global NAME peratomtypepair ...`. A value for which `holds` is false ends the run
+    /// with the words of `demand`, such as "give numbers above 0 N/m". Collective.
     BetweenTypes between_types(const char* name, const std::function<bool(double)>& holds, const char* demand);
 
     /// Ends the run; the message begins with the fix's id and style. Collective.
@@ -101,13 +103,10 @@ private:
     void touch_wall(int i, const walls::WallPoint& point, int type);
     void push(int i, Partner partner, const Push& push);
 
-    void reach_largest();
-    double shared_largest() const;
-    bool sizes_change() const;
     void collect_walls();
 
     std::string wall_style_;
-    double largest_radius_ = 0;  ///< for which ghosts reach far enough [m]
+    GhostReach reach_;
     int longest_ = 0;
     bool in_setup_ = false;
     Cells cells_;

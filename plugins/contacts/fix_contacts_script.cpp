@@ -37,16 +37,14 @@ void FixContacts::init()
     if (!comm->ghost_velocity)
         complain("forces need the velocities of other ranks' spheres; give `communicate single vel yes`");
     for (int k = 0; k < modify->nfix; ++k) {
-        Fix& other = *modify->fix[k];
+        const Fix& other = *modify->fix[k];
         if (!force->pair && std::string(other.style).rfind("wall/gran", 0) == 0)
             complain("fix " + std::string(other.id) + " (" + other.style +
                      ") takes its forces from a pair_style, and there is none. Write " + wall_style_ +
                      " for it, with the words from `primitive` or `mesh` on");
-        for (int type = 1; type <= atom->ntypes; ++type)  // what will be inserted
-            largest_radius_ = std::max(largest_radius_, other.max_rad(type));
     }
-    largest_radius_ = std::max(largest_radius_, shared_largest());
-    if (largest_radius_ > 0 && !force->pair) script::sort_by_default(*lmp, 4 * largest_radius_);
+    reach_.begin();
+    if (reach_.largest_radius() > 0 && !force->pair) script::sort_by_default(*lmp, 4 * reach_.largest_radius());
 }
 
 BetweenTypes FixContacts::between_types(const char* name, const std::function<bool(double)>& holds, const char* demand)
@@ -73,8 +71,9 @@ void FixContacts::collect_walls()
         for (std::size_t n = 0; n < found.size(); ++n) {
             const int type = found[n]->type();
             if (type < 0 || type >= atom->ntypes)
-                complain("the wall of fix " + std::string(fix->id) + " has type " + std::to_string(type + 1) + ", none of the " +
-                         std::to_string(atom->ntypes) + " types of the simulation box; give it one of them");
+                complain("the wall of fix " + std::string(fix->id) + " has type " + std::to_string(type + 1) +
+                         ", none of the " + std::to_string(atom->ntypes) +
+                         " types of the simulation box; give it one of them");
             walls_.push_back({std::move(found[n]), key_of(std::string(fix->id) + "/" + std::to_string(n))});
         }
     }
@@ -87,7 +86,9 @@ void FixContactsWall::init()
         return contacts && contacts->wall_style() == style;
     };
     if (std::none_of(modify->fix, modify->fix + modify->nfix, heeds))
-        complain("no fix heeds this wall; add that of the plug-in which brings the wall, or use wall/gran with a pair_style");
+        complain(
+            "no fix heeds this wall; add that of the plug-in which brings the wall, or use wall/gran with a "
+            "pair_style");
 }
 
 }  // namespace interphase::contacts

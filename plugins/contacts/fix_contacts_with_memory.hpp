@@ -9,9 +9,9 @@
 
 namespace interphase::contacts {
 
-/// A FixContacts whose law remembers a `State` (numbers and arrays of numbers; State{} is a contact that begins) for each
-/// contact while it lasts. The states travel with the spheres between ranks, stand in checkpoints and in LIGGGHTS's restart files, go with
-/// removed spheres, and follow those whose ids are given anew (delete_atoms).
+/// A FixContacts whose law remembers a `State` (numbers and arrays of numbers; State{} is a contact that begins) for
+/// each contact while it lasts. The states travel with the spheres between ranks, stand in checkpoints and in
+/// LIGGGHTS's restart files, go with removed spheres, and follow those whose ids are given anew (delete_atoms).
 template <class State>
 class FixContactsWithMemory : public FixContacts {
 public:
@@ -76,7 +76,8 @@ public:
     }
 
 protected:
-    /// law(contact, state) -> Push; otherwise as FixContacts::each_contact(). Where contact.step is 0 a state must not change.
+    /// law(contact, state) -> Push; otherwise as FixContacts::each_contact(). Where contact.step is 0 a state must not
+    /// change.
     template <class Law>
     void each_contact(const Law& law)
     {
