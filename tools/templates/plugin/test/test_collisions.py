@@ -26,26 +26,26 @@ class Collisions(unittest.TestCase):
         for ranks in RANKS:
             with self.subTest(ranks=ranks):
                 states = run(sphere(1, 0.010, 2000, (0.040, 0.05, 0.050), (1, 0, 0)) +
-                             sphere(2, 0.014, 1000, (0.061, 0.05, 0.056), (-1, 0, 0)) + "run 4000\n", ranks)  # fmt: skip
+                             sphere(2, 0.014, 1000, (0.061, 0.05, 0.056), (-1, 0, 0)) + "run 2000\n", ranks)  # fmt: skip
                 before, after = states[0], states[-1]
                 self.assertNotAlmostEqual(after[0]["omegay"], 0, msg="friction turns them")
                 scale = before[0]["mass"] * 1.0  # kg m/s
                 for k in range(3):
                     self.assertAlmostEqual(momentum(before, k), momentum(after, k), delta=1e-14 * scale)
-                # the 9 % of the radius by which they overlap turn with them; the rest is round-off of 4000 steps
+                # the 9 % of the radius by which they overlap turn with them; the rest is round-off of 2000 steps
                 self.assertAlmostEqual(spin_about_y(before), spin_about_y(after), delta=1e-12 * scale * 0.1)
 
     def test_restitution_between_spheres(self):
         for ranks in RANKS:
             with self.subTest(ranks=ranks):
                 states = run(sphere(1, 0.010, 2000, (0.040, 0.05, 0.05), (1, 0, 0)) +
-                             sphere(2, 0.014, 1000, (0.061, 0.05, 0.05), (-1, 0, 0)) + "run 4000\n", ranks)  # fmt: skip
+                             sphere(2, 0.014, 1000, (0.061, 0.05, 0.05), (-1, 0, 0)) + "run 2000\n", ranks)  # fmt: skip
                 closing, parting = [s[1]["vx"] - s[0]["vx"] for s in (states[0], states[-1])]
-                self.assertAlmostEqual(parting / closing, -RESTITUTION, delta=0.005)  # a step is 1/100 of the collision
+                self.assertAlmostEqual(parting / closing, -RESTITUTION, delta=0.005)  # a step is 1/200 of the collision
 
     def test_sliding_on_the_floor(self):
         """Fast along the floor it slips all the time: friction takes mu times the impulse of the floor, and turns the sphere."""
-        states = run(sphere(1, 0.010, 2000, (0.02, 0.05, 0.006), (3, 0, -0.2)) + "run 3000\n")
+        states = run(sphere(1, 0.010, 2000, (0.02, 0.05, 0.006), (3, 0, -0.2)) + "run 1500\n")
         before, after = states[0][0], states[-1][0]
         impulse = after["vz"] - before["vz"]
         self.assertAlmostEqual(after["vz"], 0.2 * RESTITUTION, delta=0.001)
@@ -61,7 +61,7 @@ fix             sizes all particledistribution/discrete 10009 1 one 1.0
 region          spot block 0.04 0.06 0.045 0.055 0.04 0.0502 units box
 fix             feed all insert/pack seed 10037 distributiontemplate sizes insert_every once overlapcheck yes all_in yes &
                 particles_in_region 1 region spot
-run             34000
+run             17000
 """
         for ranks in RANKS:
             with self.subTest(ranks=ranks):
