@@ -3,16 +3,23 @@
 # build folder.
 include(CMakePackageConfigHelpers)
 
-# The headers of a plug-in: <interphase/plugin.hpp>; and what that and plug-ins of this tree include by "plugin/..." and "base/...".
+# The headers of a plug-in: <interphase/plugin.hpp>; and what that and plug-ins of this tree include by "plugin/...", "base/..." and,
+# of what plug-ins share, "contacts/...", "walls/..." and "script/...".
 # Links, so that whoever sees the coupler's folder, too, sees one file and not two.
 set(_root "${PROJECT_BINARY_DIR}/include/interphase")
 set(_headers plugin/plugin.hpp plugin/solid_stress.hpp plugin/wall_gaps.hpp plugin/fingerprint.hpp base/vector.hpp base/text.hpp base/problem.hpp base/exit_code.hpp)
-foreach(_header IN LISTS _headers)
-    get_filename_component(_folder "${_header}" DIRECTORY)
-    file(MAKE_DIRECTORY "${_root}/${_folder}")
-    file(CREATE_LINK "${PROJECT_SOURCE_DIR}/coupler/${_header}" "${_root}/${_header}" SYMBOLIC)
-    install(FILES "${PROJECT_SOURCE_DIR}/coupler/${_header}" DESTINATION "include/interphase/${_folder}")
-endforeach()
+set(_shared_headers contacts/fix_contacts.hpp contacts/fix_contacts_with_memory.hpp contacts/contact.hpp contacts/contact_memory.hpp
+    contacts/cells.hpp contacts/ghost_reach.hpp walls/fix_wall.hpp walls/wall.hpp walls/triangle_wall.hpp walls/place.hpp script/script.hpp)
+function(_lay_out root)
+    foreach(_header IN LISTS ARGN)
+        get_filename_component(_folder "${_header}" DIRECTORY)
+        file(MAKE_DIRECTORY "${_root}/${_folder}")
+        file(CREATE_LINK "${PROJECT_SOURCE_DIR}/${root}/${_header}" "${_root}/${_header}" SYMBOLIC)
+        install(FILES "${PROJECT_SOURCE_DIR}/${root}/${_header}" DESTINATION "include/interphase/${_folder}")
+    endforeach()
+endfunction()
+_lay_out(coupler ${_headers})
+_lay_out(plugins ${_shared_headers})
 file(CONFIGURE OUTPUT "${_root}/plugin.hpp" CONTENT
     "// SPDX-License-Identifier: GPL-3.0-or-later\n#pragma once\n\n#include \"plugin/plugin.hpp\"\n")
 install(FILES "${_root}/plugin.hpp" DESTINATION include/interphase)

@@ -17,7 +17,6 @@
 #include "hard_sphere/processor.hpp"
 #include "hard_sphere/wall_contacts.hpp"
 #include "modify.h"
-#include "neighbor.h"
 #include "plugin/plugin.hpp"
 #include "script/script.hpp"
 #include "update.h"
@@ -37,7 +36,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-FixTdhs::FixTdhs(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, arg)
+FixTdhs::FixTdhs(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, arg), ghosts_(*lmp, 4)
 {
     if (!atom->sphere_flag) error->all(FLERR, "Fix tdhs: the particles are no spheres; use atom_style granular");
     time_integrate = 1;
@@ -103,7 +102,11 @@ void FixTdhs::restart(char* buffer)
     deepest_ = state.deepest;
 }
 
-int FixTdhs::setmask() { return LAMMPS_NS::FixConst::INITIAL_INTEGRATE | LAMMPS_NS::FixConst::FINAL_INTEGRATE; }
+int FixTdhs::setmask()
+{
+    using namespace LAMMPS_NS::FixConst;
+    return INITIAL_INTEGRATE | FINAL_INTEGRATE | PRE_NEIGHBOR;
+}
 
 void* FixTdhs::extract(const char* name, int& dimension)
 {
@@ -130,22 +133,24 @@ void FixTdhs::init()
     refuse_company();
     materials_ = read_materials();
 
-    double smallest = 1e300, largest = 0;
-    for (int i = 0; i < atom->nlocal; ++i) {
+    ghosts_.begin();
+    measure_spheres();
+    sizes_change_ = contacts::sizes_change(*lmp);
+    script::sort_by_default(*lmp, 4 * ghosts_.largest_radius());
+}
+
+/// The smallest sphere that there is or that a fix will insert.
+void FixTdhs::measure_spheres()
+{
+    double smallest = 1e300;
+    for (int i = 0; i < atom->nlocal; ++i)
         smallest = std::min(smallest, atom->radius[i]);
-        largest = std::max(largest, atom->radius[i]);
-    }
     for (int k = 0; k < modify->nfix; ++k)
         for (int type = 1; type <= atom->ntypes; ++type) {
-            largest = std::max(largest, modify->fix[k]->max_rad(type));
             const double least = modify->fix[k]->min_rad(type);
             if (least > 0) smallest = std::min(smallest, least);
         }
     smallest_radius_ = -shared_max(-smallest);
-    largest_radius_ = shared_max(largest);
-    script::sort_by_default(*lmp, 4 * largest_radius_);
-    // ghosts as far away as a pair may be that meets within one step
-    comm->cutghostuser = std::max(comm->cutghostuser, 4 * largest_radius_ + neighbor->skin);
 }
 
 void FixTdhs::setup(int)
@@ -215,6 +220,10 @@ void FixTdhs::resolve_contacts()
 {
     if (has_ghosts()) {
         cost_.switch_to(Part::communication);
+        if (sizes_change_) {
+            message_ = Message::sizes;
+            comm->forward_comm_fix(this);
+        }
         message_ = Message::start;
         comm->forward_comm_fix(this);
     }
@@ -310,12 +319,13 @@ void FixTdhs::gather(int first, int last)
 
 void FixTdhs::choose_parts()
 {
+    if (sizes_change_) measure_spheres();
     double fastest2 = 0;
     const double* v = atom->nlocal > 0 ? atom->v[0] : nullptr;
     for (int i = 0; i < 3 * atom->nlocal; i += 3)
         fastest2 = std::max(fastest2, v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2]);
     const double fastest = std::sqrt(shared_max(fastest2));
-    const double diameter = 2 * smallest_radius_, widest = 2 * largest_radius_;
+    const double diameter = 2 * smallest_radius_, widest = 2 * ghosts_.largest_radius();
     const double closing = 2 * fastest * update->dt;  // no two spheres close a wider gap in a step
 
     // Pairs with gaps up to `reach` are looked at; one farther apart has to close that and a diameter to pass unseen.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "comm.h"
+#include "contacts/ghost_reach.hpp"
 #include "fix.h"
 #include "hard_sphere/cell_grid.hpp"
 #include "hard_sphere/contact_solver.hpp"
@@ -35,6 +36,9 @@ public:
     void* extract(const char* name, int& dimension) override;
     void init() override;
     void setup(int) override;
+    void setup_pre_neighbor() override { ghosts_.renew(); }
+    void pre_neighbor() override { ghosts_.renew(); }
+    double extend_cut_ghost() override { return ghosts_.distance(); }
     void initial_integrate(int) override;
     void final_integrate() override;
     void post_run() override;
@@ -66,11 +70,12 @@ private:
     static const std::vector<ShownValue>& shown_values();
 
     /// Of messages.hpp, the one that LIGGGHTS is asked to pass on.
-    enum class Message { start, counts, motion, shift };
+    enum class Message { sizes, start, counts, motion, shift };
 
     void read_arguments(int narg, char** arg);
     void refuse_company();
     Materials read_materials();
+    void measure_spheres();
     void collect_walls();
     void ask_gravity();
     void add_forces();
@@ -122,8 +127,10 @@ private:
     Materials materials_;
     std::vector<std::unique_ptr<walls::Wall>> walls_;
     StepLimits limits_{};
-    double reach_ = 0;  ///< gap up to which pairs are looked for [m]
-    double smallest_radius_ = 0, largest_radius_ = 0;
+    double reach_ = 0;             ///< gap up to which pairs are looked for [m]
+    contacts::GhostReach ghosts_;  ///< as far away as a pair may be that meets within one step
+    double smallest_radius_ = 0;   ///< [m]
+    bool sizes_change_ = false;    ///< while the run goes on
 
     Scalars push_;   ///< [atoms x 3]
     Scalars shift_;  ///< not yet in the positions [atoms x 3, m]

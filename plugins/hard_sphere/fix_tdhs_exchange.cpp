@@ -121,6 +121,8 @@ int FixTdhs::pack_comm(int n, int* list, double* buffer, int, int*)
             set(message.push, to_vector(&push_[at(3 * i)]));
             return message;
         });
+    if (message_ == Message::sizes)
+        return pack_each(n, buffer, [&](int k) { return SizeMessage{atom->radius[list[k]], atom->rmass[list[k]]}; });
     const auto body_of = [&](int k) { return at(body_of_[at(list[k])]); };
     if (message_ == Message::counts)
         return pack_each(n, buffer, [&](int k) { return CountMessage{static_cast<double>((*counts_)[body_of(k)])}; });
@@ -141,6 +143,11 @@ void FixTdhs::unpack_comm(int n, int first, double* buffer)
             set(atom->v[i], to_vector(message.velocity));
             set(atom->omega[i], to_vector(message.spin));
             set(&push_[at(3 * i)], to_vector(message.push));
+        });
+    if (message_ == Message::sizes)
+        return unpack_each<SizeMessage>(n, buffer, [&](int k, const SizeMessage& message) {
+            atom->radius[first + k] = message.radius;
+            atom->rmass[first + k] = message.mass;
         });
     const auto body_of = [&](int k) { return at(body_of_[at(first + k)]); };
     if (message_ == Message::counts)

@@ -16,6 +16,12 @@ struct StartMessage {
     double push[3];      ///< what forces added to the velocity [m/s]
 };
 
+/// From the owner, where sizes change while the run goes on.
+struct SizeMessage {
+    double radius;  ///< [m]
+    double mass;    ///< [kg]
+};
+
 /// Contacts that touch the sphere, or ranks that change it. To the owner, where they are added up, and from it.
 struct CountMessage {
     double count;

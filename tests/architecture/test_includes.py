@@ -21,7 +21,7 @@ ENGINES = ["openfoam", "liggghts"]
 FOR_PLUGINS = "plugin/plugin.hpp"
 
 # The folders of plugins/ that are none themselves but what plug-ins share.
-SHARED = ("script", "walls")
+SHARED = ("script", "walls", "contacts")
 
 # LIGGGHTS's headers have plain names (atom.h, fix.h): all that LIGGGHTS installs are known by this folder's listing,
 # the ones the coupler would use by name where LIGGGHTS is installed elsewhere.
@@ -93,10 +93,10 @@ def violations(path, text):
     return found
 
 
-def installed_headers():
-    """What cmake/Package.cmake lays out for plug-ins, from coupler/ on."""
+def installed_headers(name="_headers"):
+    """What cmake/Package.cmake lays out for plug-ins, from coupler/ on; `_shared_headers`: from plugins/ on."""
     package = (SOURCE / "cmake" / "Package.cmake").read_text()
-    return set(re.search(r"set\(_headers ([^)]*)\)", package).group(1).split())
+    return set(re.search(rf"set\({name} ([^)]*)\)", package).group(1).split())
 
 
 def violations_of_plugin(path, text, installed):
@@ -195,4 +195,7 @@ class Includes(unittest.TestCase):
         installed = installed_headers()
         missing = [f"{header}: {other}" for header in installed for quoted, other in includes_in((COUPLER / header).read_text())
                    if quoted and (COUPLER / other).exists() and other not in installed]
+        shared, plugins = installed_headers("_shared_headers"), SOURCE / "plugins"
+        missing += [f"{header}: {other}" for header in shared for quoted, other in includes_in((plugins / header).read_text())
+                    if quoted and not engine_of_header(other) and other not in installed | shared]
         self.assertFalse(missing)

@@ -18,7 +18,7 @@ region fill block 0.002 {x} 0.002 {y} 0.07 0.09 units box
 fix pour all insert/rate/region seed 49979687 distributiontemplate kinds nparticles 100000 particlerate 5000 insert_every {every} &
     overlapcheck yes all_in yes vel constant 0 0 -0.5 region fill
 """
-WEIGHTS = {"DEM": 1, "CGPM": 8, "TDHS": 1, "CGHS": 8, "MPPIC": 8}
+WEIGHTS = {"DEM": 1, "CGPM": 8, "TDHS": 1, "CGHS": 8, "MPPIC": 8, "PLUGIN": 1}
 
 
 def states(checkpoint, ranks):
@@ -54,7 +54,7 @@ class ResumedScene:
     def bed(self, method):
         diameter = DIAMETER * WEIGHTS[method] ** (1 / 3)
         lines, self.count = vessel.bed(6 if WEIGHTS[method] == 1 else 4, diameter=diameter)
-        every = {"DEM": 40, "CGPM": 40}.get(method, 2)
+        every = {"DEM": 40, "CGPM": 40, "PLUGIN": 40}.get(method, 2)
         pour = POUR.format(density=DENSITY, radius=diameter / 2, x=WIDTH - 0.002, y=DEPTH - 0.002, every=every)
         root = os.path.join(self.root, f"bed{len(os.listdir(self.root))}")
         return vessel.case(root, particles=lines, fixes=pour)

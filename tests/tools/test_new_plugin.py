@@ -99,6 +99,14 @@ class WholePath(Bench):
         done = self.succeed(os.path.join(BUILD, "interphase-liggghts"), "-plugin", "../build/libsoft_ball.so", "-in", "in.liggghts", cwd=example)
         self.assertIn("2000 steps with 784 atoms", done.stdout)
 
+    def test_one_that_remembers_its_contacts(self):
+        """The template's own case and script are those of the other one, whose style has the same words."""
+        self.succeed(TOOL, "sticky_ball", "--with-memory")
+        plugin = os.path.join(self.root, "sticky_ball")
+        build = self.configured(plugin, f"-Dinterphase_DIR={BUILD}")
+        done = self.succeed("ctest", "--test-dir", build, "--output-on-failure", "--no-tests=error")
+        self.assertIn("tests passed, 0 tests failed out of 2", done.stdout)
+
     def test_with_an_installation(self):
         """An interphase in <prefix> and a plug-in installed into the same one, found by its name."""
         prefix = os.path.join(self.root, "prefix")

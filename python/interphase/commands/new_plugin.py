@@ -10,6 +10,7 @@ from interphase.input_error import InputError
 from interphase.tree import REPOSITORY, TOOLS
 
 TEMPLATE = os.path.join(TOOLS, "templates", "plugin")
+WITH_MEMORY = os.path.join(TOOLS, "templates", "plugin_with_memory")  # files in place of those of TEMPLATE, or beside them
 
 # CMake keeps these names of targets for itself.
 TAKEN = ("all", "clean", "edit_cache", "help", "install", "package", "rebuild_cache", "test")
@@ -19,7 +20,8 @@ EXAMPLE = """example:
   cd ~/bouncy && cmake -B build -S . && cmake --build build && ctest --test-dir build
 
 DIR then holds the source of a small collision style, its test, a script for LIGGGHTS alone, a case with gas, and a
-README.md with all commands. plugins/README.md tells what a plug-in may do.
+README.md with all commands. With --with-memory its contacts remember: a spring along the surfaces holds what friction
+can hold. plugins/README.md tells what a plug-in may do.
 
 exit code: 0 when it is written, 2 where the name or the folder is refused."""
 
@@ -30,6 +32,7 @@ def arguments():
     )
     parser.add_argument("name", metavar="NAME", help="of the plug-in: lower-case letters, digits and '_'")
     parser.add_argument("folder", metavar="DIR", nargs="?", help="where to write it (default: ./NAME)")
+    parser.add_argument("--with-memory", action="store_true", help="a law whose contacts keep a state of their own while they last")
     return parser.parse_args()
 
 
@@ -57,17 +60,17 @@ def checked_folder(given):
     return folder
 
 
-def write(folder, values):
-    """The template with @KEY@ replaced, in names and in texts."""
+def write(template, folder, values):
+    """A template with @KEY@ replaced, in names and in texts."""
 
     def filled(text):
         for key, value in values.items():
             text = text.replace(f"@{key}@", value)
         return text
 
-    for base, folders, files in os.walk(TEMPLATE):
+    for base, folders, files in os.walk(template):
         folders[:] = [name for name in folders if name != "__pycache__"]
-        target = os.path.join(folder, os.path.relpath(base, TEMPLATE))
+        target = os.path.join(folder, os.path.relpath(base, template))
         os.makedirs(target, exist_ok=True)
         for file in files:
             with open(os.path.join(base, file), encoding="utf-8") as stream:
@@ -82,8 +85,9 @@ def main():
     folder = checked_folder(given.folder or name)
     build = os.path.join(REPOSITORY, "build", "release")
     try:
-        write(folder, {"NAME": name, "CLASS": "".join(part.capitalize() for part in name.split("_")),
-                       "INTERPHASE_BUILD": build, "INTERPHASE_TOOLS": TOOLS})  # fmt: skip
+        for template in (TEMPLATE, WITH_MEMORY) if given.with_memory else (TEMPLATE,):
+            write(template, folder, {"NAME": name, "CLASS": "".join(part.capitalize() for part in name.split("_")),
+                                     "INTERPHASE_BUILD": build, "INTERPHASE_TOOLS": TOOLS})  # fmt: skip
     except OSError as error:
         raise InputError(f"{folder} cannot be written: {error}") from None
     print(f"{name} is in {folder}. Next:\n")

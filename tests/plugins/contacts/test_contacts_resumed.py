@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# processors: 2
+# timeout: 900
+"""A coupled run with a plug-in that remembers its contacts, stopped and taken further, is the run that was not stopped, to the last bit."""
+
+import os
+
+import support
+from resumed_run import ResumedRun
+
+from contact_scenes import KEPT, PLAIN, PLUGINS
+
+
+class Resumed(ResumedRun, support.ProgramTest):
+    stop, end = 0.02, 0.04
+
+    def check_plugin(self, plugin, ranks):
+        case = self.bed("PLUGIN")
+        text = support.read(os.path.join(case, "dem/hard_spheres.liggghts"))
+        for of_hard_spheres, ours in (("wall/tdhs", f"wall/{plugin}"), ("fix move   all tdhs", f"fix push all {plugin}/spheres\nfix move all nve/sphere")):
+            self.assertIn(of_hard_spheres, text)
+            text = text.replace(of_hard_spheres, ours)
+        support.write(os.path.join(case, "dem/PLUGIN.liggghts"), text)
+        self.edit(case, "system/couplingDict", r"^plugins .*$", f'plugins ("{os.path.join(PLUGINS, f"lib{plugin}.so")}");')
+        self.compare(*self.copies(case, "PLUGIN", ranks), ranks)
+
+    def test_with_memory(self):
+        for ranks in (1, 2):
+            with self.subTest(ranks=ranks):
+                self.check_plugin(KEPT, ranks)
+
+    def test_without(self):
+        self.check_plugin(PLAIN, 2)
