@@ -50,14 +50,23 @@ def window_moments(position, velocity, weight, windows, front_only):
     return number, real, sums, temperatures
 
 
-def overlaps(position, diameter):
-    """Overlap of each pair that overlaps, over the smaller diameter of the two [pairs]."""
+def overlaps(position, diameter, box=None):
+    """Overlap of each pair that overlaps, over the smaller diameter of the two [pairs]; across the sides of `box` that repeat, too (particle_states.Box; None: none),
+    by the nearest image."""
     if len(diameter) < 2:
         return numpy.zeros(0)
+    size = numpy.zeros(3) if box is None else numpy.where(box.periodic, box.edges, 0.0)  # 0: the direction does not repeat
+    repeats = size > 0
+    place = numpy.array(position, dtype=float)
+    if repeats.any():
+        place[:, repeats] = (place[:, repeats] - numpy.array(box.low)[repeats]) % size[repeats]
+        place[:, repeats] %= size[repeats]  # -1e-20 % L is L
     # A tree finds pairs within one distance; with sizes far apart it finds many that do not touch.
-    pairs = cKDTree(position).query_pairs(float(diameter.max()), output_type="ndarray")
+    pairs = cKDTree(place, boxsize=size if repeats.any() else None).query_pairs(float(diameter.max()), output_type="ndarray")
     i, j = pairs[:, 0], pairs[:, 1]
-    overlap = (diameter[i] + diameter[j]) / 2 - numpy.sqrt(((position[i] - position[j]) ** 2).sum(axis=1))
+    apart = place[i] - place[j]
+    apart[:, repeats] -= size[repeats] * numpy.round(apart[:, repeats] / size[repeats])
+    overlap = (diameter[i] + diameter[j]) / 2 - numpy.sqrt((apart**2).sum(axis=1))
     touching = overlap > 0
     return overlap[touching] / numpy.minimum(diameter[i], diameter[j])[touching]
 

@@ -11,7 +11,7 @@ from typing import Optional
 
 import numpy
 
-from interphase import bed_statistics, time_statistics as statistics
+from interphase import bed_statistics, periodic_box, time_statistics as statistics
 from interphase.input_error import InputError
 from interphase.run import NO_PRESSURE_DROP
 from interphase.spectrum import COPIES, Spectrum, power_spectrum, strongest_frequency
@@ -130,7 +130,7 @@ def measure(run, scene, chosen, series_chosen, progress=None, unsettled=None, ta
 
 def _measured(run, scene, chosen, progress):
     """`_Rows` of the snapshots that are chosen."""
-    rows = _Rows()
+    rows, box = _Rows(), periodic_box.of_run(run)
     for frame in run.frames(only=(*DATA, WEIGHT)):
         if not chosen(frame):
             continue
@@ -142,7 +142,7 @@ def _measured(run, scene, chosen, progress):
         for name in (*DATA, WEIGHT):
             if not numpy.isfinite(state[name]).all():
                 raise InputError(f"{frame.where}: {name} holds NaN or infinite values; end before it by --until")
-        _measure_snapshot(state["position"], state["velocity"], state["diameter"], weight, scene, rows)
+        _measure_snapshot(state["position"], state["velocity"], state["diameter"], weight, scene, rows, box)
         rows.add(time=frame.time)
         if progress:
             progress(len(rows.rows["time"]), frame.time)
@@ -162,7 +162,7 @@ def _distrust(report, reason):
         some[:] = [dataclasses.replace(quantity, mean=less(quantity.mean)) for quantity in some]
 
 
-def _measure_snapshot(position, velocity, diameter, weight, scene, rows):
+def _measure_snapshot(position, velocity, diameter, weight, scene, rows, box):
     rows.add(spheres=len(diameter))
     if scene.windows:
         moments = (
@@ -172,7 +172,7 @@ def _measure_snapshot(position, velocity, diameter, weight, scene, rows):
         number, real, sums, temperatures = zip(*moments)
         rows.add(number=number, real=real, sums=sums, temperatures=temperatures)
     if scene.overlaps:
-        values = bed_statistics.overlaps(position, diameter)
+        values = bed_statistics.overlaps(position, diameter, box)
         rows.add(
             pairs=len(values), overlap_counts=bed_statistics.overlap_counts(values), largest=values.max(initial=0.0),
             below=[numpy.count_nonzero(values < share) for share in scene.overlaps.shares],

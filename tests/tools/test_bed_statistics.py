@@ -7,6 +7,7 @@ import unittest
 import numpy
 
 from interphase import bed_statistics
+from interphase.particle_states import Box
 from interphase.box_mesh import BoxMesh
 from interphase.report_scene import Windows
 from made_up import scattered
@@ -89,6 +90,17 @@ class OverlapsOfPairs(unittest.TestCase):
         found = bed_statistics.overlaps(grid, numpy.full(n**3, d))
         self.assertEqual(len(found), 3 * n**2 * (n - 1))
         numpy.testing.assert_allclose(found, overlap, rtol=1e-9)
+
+    def test_pairs_across_sides_that_repeat(self):
+        """The lattice that repeats along y and z: each of its spheres has all its contacts there, wherever the box begins and the images lie."""
+        n, d, overlap = 6, 0.01, 0.004
+        length = n * d * (1 - overlap)
+        grid = numpy.stack(numpy.meshgrid(*[numpy.arange(n)] * 3, indexing="ij"), -1).reshape(-1, 3) * d * (1 - overlap)
+        for shift in (0.0, 0.3 * d, -2.5 * length, -1e-20):
+            box = Box((0.0, -0.7 * d, 1.0), (length,) * 3, (False, True, True))
+            found = bed_statistics.overlaps(grid + shift, numpy.full(n**3, d), box)
+            self.assertEqual(len(found), n**2 * (n - 1) + 2 * n**3)
+            numpy.testing.assert_allclose(found, overlap, rtol=1e-6)
 
     def test_none_and_one(self):
         self.assertEqual(len(bed_statistics.overlaps(numpy.zeros((0, 3)), numpy.zeros(0))), 0)
