@@ -56,7 +56,7 @@ def _family(family, reference, depth, to_run, distance_words):
 def _how(family):
     used = sum(family.fitted)
     left = "" if used == len(family.sheets) else " The run at the limit is not among those that are fitted."
-    return (f"Extrapolated: the means of {used} runs over {family.by}, to {family.limit:g}, weighted by their errors, by a line, or by a parabola where the line is rejected at "
+    return (f"In the figures: blue, the runs (a square is not fitted); red and hollow, extrapolated; grey, the reference; one standard error each. Extrapolated: the means of {used} runs over {family.by}, to {family.limit:g}, weighted by their errors, by a line, or by a parabola where the line is rejected at "
             f"{100 * convergence.LEVEL:g} %. That means go by a line is an assumption.{left}")  # fmt: skip
 
 

@@ -116,7 +116,6 @@ def convergence(family, means, at_limit, reference, label):
     if at_limit is not None and math.isfinite(at_limit.error):
         axes.errorbar([family.limit], [at_limit.value], yerr=[at_limit.error], color=style(1)["color"], marker="D", markerfacecolor="white", capsize=2,
                       linestyle="none", clip_on=False)  # fmt: skip
-    axes.set(xlabel=f"{family.by}{f' [{family.unit}]' if family.unit else ' over that of a real sphere'}", ylabel=label)
+    axes.set(xlabel=f"{family.by}{f' [{family.unit}]' if family.unit else ' over that of a real sphere'}", ylabel=label.replace(", ", ",\n"))
     axes.set_xlim(left=0)
-    return page_html.drawn(_laid_out(figure, (), legend=False), f"{label} over {family.by}",
-                           "Blue: runs (square: not fitted); red, hollow: extrapolated; grey: the reference.")  # fmt: skip
+    return page_html.drawn(_laid_out(figure, (), legend=False), f"{label} over {family.by}")
