@@ -121,10 +121,12 @@ def strongest_frequency(times, values):
     for each in _power(copies, tapers):
         centres.append(_centre(each, frequency, int(numpy.where(near, each, 0).argmax())))
     error = float(numpy.std(centres, ddof=1))
-    others = [at for at in standing if not near[at] and power[peak] < power[at] * stats.f.isf(RIVAL, 2 * TAPERS, 2 * TAPERS)]
+    least = power[peak] / stats.f.isf(RIVAL, 2 * TAPERS, 2 * TAPERS)
+    others = [(power[at], centre) for at in standing if not near[at] and power[at] > least
+              and abs(math.log((centre := _centre(power, frequency, at)) / found)) >= math.log(APART)]  # else one broad peak
     if not others:
         return StrongestFrequency(found * sampling, error * sampling)
-    rival = _centre(power, frequency, max(others, key=lambda at: power[at]))
+    rival = max(others)[1]
     return StrongestFrequency(found * sampling, math.hypot(error, (rival - found) / 2) * sampling, rival=rival * sampling)
 
 
