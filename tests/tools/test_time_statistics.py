@@ -57,8 +57,9 @@ class BesideStatsmodels(unittest.TestCase):
                 self.assertAlmostEqual(2.5 * autoregression.gain(numpy.array(phi), [frequency])[0] / sum_of, 1, delta=1e-9)
         self.assertEqual(autoregression.memory([]), 0)
         self.assertAlmostEqual(autoregression.memory([0.9]), -1 / math.log(0.9), delta=1e-9)
-        # The oscillation's two parts are each half of it, and a little more as it begins level.
-        self.assertAlmostEqual(autoregression.memory(SLUGGING), 20, delta=0.2)
+        # The oscillation's two parts, period 10 and decay 20, are each half of it, and a little more as it begins level.
+        self.assertAlmostEqual(autoregression.memory(SLUGGING), 1 / math.hypot(1 / 20, 1 / 10), delta=0.1)
+        self.assertAlmostEqual(autoregression.longest_decay(SLUGGING), 20, delta=1e-9)
 
     def test_the_spectrum_at_frequency_zero(self):
         """S(0) = noise/(1 - sum phi)^2, which the error of a mean is made of, is the limit of n times the variance of the mean."""
