@@ -166,7 +166,7 @@ def mean_with_error(series):
     if found.drifts:
         reason = "it drifts: its ends differ by more than it goes to and fro"
     elif lasts < MINIMUM_TIMES:
-        reason = f"lasts {lasts:.2g} times its memory only, at least {MINIMUM_TIMES} are needed"
+        reason = f"lasts {lasts:.3g} times its memory only, at least {MINIMUM_TIMES} are needed"
     longer = max(1.0, MINIMUM_TIMES / lasts) if reason else 1.0
     return Mean(value, found.error, deviation, count, effective, found.freedom, count / effective / 2, reason, longer,
                 found.memory, found.drifts)
