@@ -131,17 +131,16 @@ def _fit(values, means, limit, degree):
     error = numpy.array([mean.error for mean in means])
     design = numpy.vander(apart / scale, degree + 1, increasing=True)
     weighted = design / error[:, None]
-    coefficients = numpy.linalg.solve(weighted.T @ weighted, weighted.T / error)[0]  # of the means, in the value at the limit
-    value = float(coefficients @ [mean.value for mean in means])
-    own = coefficients**2 * error**2
+    value = numpy.array([mean.value for mean in means])
+    of_means = numpy.linalg.solve(weighted.T @ weighted, weighted.T / error)  # what each mean gives to the polynomial's coefficients
+    residual = value - design @ (of_means @ value)
+    own = (of_means[0] * error) ** 2  # the first one is the value at the limit
     freedom = trade.freedom(float(own.sum()), own, means)
-    residual = numpy.array([mean.value for mean in means]) - design @ numpy.linalg.solve(weighted.T @ weighted, weighted.T @ (
-        numpy.array([mean.value for mean in means]) / error))  # fmt: skip
     left = len(means) - degree - 1
     # The errors are estimates of so many degrees of freedom themselves, hence F and not chi-square.
     chance = float(stats.f.sf((residual**2 / error**2).sum() / left, left, min(mean.freedom for mean in means))) if left else 1.0
     reason = next((mean.reason for mean in means if mean.reason), "")
-    return Mean(value, math.sqrt(float(own.sum())), math.nan, min(mean.samples for mean in means), math.nan, freedom, math.nan, reason), chance
+    return Mean(float(of_means[0] @ value), math.sqrt(float(own.sum())), math.nan, min(mean.samples for mean in means), math.nan, freedom, math.nan, reason), chance
 
 
 def distances(reference, found, depth):

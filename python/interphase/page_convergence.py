@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The part of a report's page on runs of one method that differ by the size of their parcels or of a step."""
 
-import math
-
 from interphase import convergence, page_figures, trade
 from interphase.page_html import listed, paragraph, table, text
 from interphase.report_table import shown
@@ -63,11 +61,4 @@ def _how(family):
 def _in_words(family, reference, far):
     if not far:
         return "Nothing can be extrapolated."
-    apart = [each.quantity for each in far if each.told_apart]
-    judged = [each.quantity for each in far if not math.isnan(each.chance)]
-    alike = [name for name in judged if name not in apart]
-    others = [each.quantity for each in far if each.quantity not in judged]
-    parts = [f"told apart from {reference} by {', '.join(apart)}" if apart else "", f"not told apart from {reference} by {', '.join(alike)}" if alike else "",
-             f"not decided: {', '.join(others)}" if others else ""]  # fmt: skip
-    return f"{family.method} at the limit: {'; '.join(filter(None, parts))}."
-
+    return f"{family.method} at the limit: {trade.words_on(far, reference)}."

@@ -164,14 +164,8 @@ class Page:
         """A sentence a run: how much cheaper, how far, and what is not decided."""
         base = self.points[0].cost
         for point in self.points[1:]:
-            found = {each.quantity: each for each in self.distances[point.name]}
-            apart = [name for name, each in found.items() if each.told_apart]
-            not_judged = [name for name, each in found.items() if math.isnan(each.chance)]
-            alike = [name for name in found if name not in apart and name not in not_judged]
             cheaper = f"costs 1/{base.value / point.cost.value:.3g} of {self.names[0]}; " if base and point.cost else ""
-            parts = [f"told apart by {', '.join(apart)}" if apart else "", f"not told apart by {', '.join(alike)}" if alike else "",
-                     f"not decided: {', '.join(not_judged)}" if not_judged else ""]  # fmt: skip
-            yield f"{point.name}: {cheaper}{'; '.join(filter(None, parts))}."
+            yield f"{point.name}: {cheaper}{trade.words_on(self.distances[point.name])}."
 
     def _numbers(self):
         sections = [report_table.quantities(report, self.depth) for report in self.reports]

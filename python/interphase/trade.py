@@ -155,6 +155,15 @@ def overall(found):
                     f"root mean square of {count} quantities", reason)  # fmt: skip
 
 
+def words_on(found, reference=""):
+    """What `Distance`s tell apart (from `reference`, where that is named), what they do not, and what they do not decide, in words."""
+    apart = [each.quantity for each in found if each.told_apart]
+    undecided = [each.quantity for each in found if math.isnan(each.chance)]
+    alike = [each.quantity for each in found if each.quantity not in apart + undecided]
+    of = f" from {reference}" if reference else ""
+    return "; ".join(f"{what}{', '.join(names)}" for what, names in ((f"told apart{of} by ", apart), (f"not told apart{of} by ", alike), ("not decided: ", undecided)) if names)
+
+
 @dataclass(frozen=True)
 class Point:
     """A run in the plane of cost and distance: `name`, `cost` (run_account.Cost or None), `distance` (None: the reference itself)."""

@@ -158,10 +158,8 @@ class Watch:
 
     def told(self):
         """Lines on how the run stands at its end: what is reached, and what the rest would take."""
-        if self.reached:
-            return [f"reached: {each.target}: {each.words}" for each in self._found]
         try:
-            found, last = standings(self._targets, self._run())
+            found, last = (self._found, math.inf) if self.reached else standings(self._targets, self._run())
         except InputError as error:
             return [str(error)]
         except (OSError, KeyError, RuntimeError):
