@@ -7,7 +7,7 @@ include(CMakePackageConfigHelpers)
 # of what plug-ins share, "contacts/...", "walls/..." and "script/...".
 # Links, so that whoever sees the coupler's folder, too, sees one file and not two.
 set(_root "${PROJECT_BINARY_DIR}/include/interphase")
-set(_headers plugin/plugin.hpp plugin/solid_stress.hpp plugin/wall_gaps.hpp plugin/fingerprint.hpp base/vector.hpp base/text.hpp base/problem.hpp base/exit_code.hpp)
+set(_headers plugin/plugin.hpp plugin/solid_stress.hpp plugin/wall_gaps.hpp plugin/method.hpp plugin/counter.hpp plugin/fingerprint.hpp base/vector.hpp base/text.hpp base/problem.hpp base/exit_code.hpp)
 set(_shared_headers contacts/fix_contacts.hpp contacts/fix_contacts_with_memory.hpp contacts/contact.hpp contacts/contact_memory.hpp
     contacts/cells.hpp contacts/ghost_reach.hpp walls/fix_wall.hpp walls/wall.hpp walls/triangle_wall.hpp walls/place.hpp script/script.hpp)
 function(_lay_out root)

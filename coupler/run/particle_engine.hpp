@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +10,7 @@
 #include "base/communicator.hpp"
 #include "base/count.hpp"
 #include "base/engine_warnings.hpp"
+#include "settings/method.hpp"
 #include "settings/settings.hpp"
 #include "step/solids.hpp"
 
@@ -74,10 +74,18 @@ public:
     /// What is counted of it. Collective.
     virtual std::vector<Count> counts() const { return {}; }
 
+    /// What fixes of plug-ins count and measure of themselves, always the same kinds. Collective.
+    virtual std::vector<Count> counters() const { return {}; }
+
     /// What it warned of so far; null where it has no words of its own.
     virtual EngineWarnings* warnings() { return nullptr; }
 };
 
-using MakeParticleEngine = std::function<std::unique_ptr<ParticleEngine>(const Communicator&, const Settings&)>;
+/// Makes the engine of the particles once the case's settings are read, for which it tells the methods.
+class ParticleEngineMaker : public MethodSource {
+public:
+    /// Collective.
+    virtual std::unique_ptr<ParticleEngine> make(const Communicator& comm, const Settings& settings) const = 0;
+};
 
 }  // namespace interphase

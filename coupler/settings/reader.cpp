@@ -104,11 +104,16 @@ UserError Reader::nothing_there(const Key& key, const std::string& name, const s
                      did_you_mean(name, choices) + "choose one of " + listed(choices));
 }
 
+std::string Reader::word(const std::string& key) const
+{
+    return has(key) ? dictionary_->text(key).value_or(dictionary_->written(key)) : "";
+}
+
 std::size_t Reader::choose(const Key& key, std::size_t fallback, const std::vector<std::string>& choices)
 {
     ask(key, alternatives(choices), choices[fallback]);
     if (!has(key.name)) return fallback;
-    const std::string name = dictionary_->text(key.name).value_or(dictionary_->written(key.name));
+    const std::string name = word(key.name);
     const auto found = std::find(choices.begin(), choices.end(), name);
     if (found == choices.end()) throw nothing_there(key, name, name, choices);
     return static_cast<std::size_t>(found - choices.begin());

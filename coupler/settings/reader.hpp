@@ -69,6 +69,7 @@ public:
     void required_block(const Key& key, const std::string& remedy, const std::function<void(Reader&)>& read);
 
     bool has(const std::string& key) const { return dictionary_ && dictionary_->has(key); }
+    std::string word(const std::string& key) const;  ///< as it stands there, unchecked; empty where it is not given
 
     UserError complaint(const std::string& key, const std::string& what, const std::string& remedy) const;
 

@@ -29,7 +29,6 @@ constexpr int grow_callback = 0;
 constexpr int most_parts = 100;
 constexpr double touching_share = 0.1;  // of the margin
 constexpr int ahead = 8;                // spheres
-constexpr double deep = 0.2;            // of a diameter: overlaps that are worth a word
 constexpr double usual_reach = 0.3;     // of a diameter: hardly any pair closes a wider gap in a step
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -61,9 +60,10 @@ FixTdhs::~FixTdhs() { atom->delete_callback(id, grow_callback); }
 
 void FixTdhs::post_run()
 {
-    if (shortened_ > 0)
-        say("Fix tdhs resolved contacts in more than one part in %ld steps, for fast spheres\n", shortened_);
-    const double deepest = shared_max(deepest_);
+    if (counted_[steps_in_parts] > 0)
+        say("Fix tdhs resolved contacts in more than one part in %.0f steps, for fast spheres\n",
+            counted_[steps_in_parts]);
+    const double deepest = shared_max(counted_[deepest_overlap]);
     if (deepest > deep)
         say("Fix tdhs: the deepest overlap was %g of the smallest diameter. If the bed sinks, give more `passes` (now "
             "%d) "
@@ -83,8 +83,8 @@ struct StepState {
 
 void FixTdhs::write_restart(FILE* file)
 {
-    const StepState state{limits_, reach_, static_cast<double>(parts_), static_cast<double>(shortened_),
-                          shared_max(deepest_)};
+    const StepState state{limits_, reach_, static_cast<double>(parts_), counted_[steps_in_parts],
+                          shared_max(counted_[deepest_overlap])};
     if (comm->me != 0) return;
     const int bytes = sizeof state;
     std::fwrite(&bytes, sizeof bytes, 1, file);
@@ -98,8 +98,8 @@ void FixTdhs::restart(char* buffer)
     limits_ = state.limits;
     reach_ = state.reach;
     parts_ = static_cast<int>(state.parts);
-    shortened_ = static_cast<long>(state.shortened);
-    deepest_ = state.deepest;
+    counted_[steps_in_parts] = state.shortened;
+    counted_[deepest_overlap] = state.deepest;
 }
 
 int FixTdhs::setmask()
@@ -112,6 +112,7 @@ void* FixTdhs::extract(const char* name, int& dimension)
 {
     static int yes = 1;
     dimension = 0;
+    if (std::strcmp(name, extract_counters) == 0) return &counter_values_;
     return std::strcmp(name, extract_moves_before_forces) == 0 ? &yes : nullptr;
 }
 
@@ -246,7 +247,8 @@ void FixTdhs::resolve_contacts()
     }
     if (has_ghosts()) join_masses();
     solver_.finish(bodies_, grid_.order(), memory_);
-    deepest_ = std::max(deepest_, solver_.separate(bodies_, share_, limits_.tolerated) / (2 * smallest_radius_));
+    counted_[deepest_overlap] = std::max(counted_[deepest_overlap],
+                                         solver_.separate(bodies_, share_, limits_.tolerated) / (2 * smallest_radius_));
     cost_.switch_to(Part::integration);
     scatter();
 }
@@ -339,7 +341,7 @@ void FixTdhs::choose_parts()
                            (shortens_ ? ", or find out why it is so fast" : ", or `too_fast shorten`"))
                               .c_str());
     }
-    if (parts_ > 1) ++shortened_;
+    if (parts_ > 1) ++counted_[steps_in_parts];
     limits_.step = update->dt / parts_;
     limits_.farthest = fastest * limits_.step;
     limits_.margin = effort_.margin * diameter;
@@ -383,7 +385,7 @@ const std::vector<FixTdhs::ShownValue>& FixTdhs::shown_values()
         {"pairs", [](const FixTdhs& fix) { return static_cast<double>(fix.pairs_.end() - fix.pairs_.begin()); }},
         {"binary_collisions", [](const FixTdhs& fix) { return static_cast<double>(fix.solver_.binary_collisions()); }},
         {"cluster_contacts", [](const FixTdhs& fix) { return static_cast<double>(fix.solver_.cluster_contacts()); }},
-        {"shortened_steps", [](const FixTdhs& fix) { return static_cast<double>(fix.shortened_); }},
+        {"shortened_steps", [](const FixTdhs& fix) { return fix.counted_[steps_in_parts]; }},
         {"search", [](const FixTdhs& fix) { return fix.cost_.seconds(Part::search); }},
         {"walls", [](const FixTdhs& fix) { return fix.cost_.seconds(Part::walls); }},
         {"contacts", [](const FixTdhs& fix) { return fix.cost_.seconds(Part::contacts); }},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -12,6 +13,7 @@
 #include "hard_sphere/cell_grid.hpp"
 #include "hard_sphere/contact_solver.hpp"
 #include "hard_sphere/cost.hpp"
+#include "hard_sphere/counters.hpp"
 #include "hard_sphere/effort.hpp"
 #include "hard_sphere/pair_search.hpp"
 #include "walls/wall.hpp"
@@ -118,11 +120,10 @@ private:
 
     bool started_ = false;
 
-    int parts_ = 1;       ///< of the step, so that no sphere moves too far in one
-    long shortened_ = 0;  ///< steps of more than one part
-
+    int parts_ = 1;  ///< of the step, so that no sphere moves too far in one
     Effort effort_{};
-    double deepest_ = 0;  ///< overlap so far, of the smallest diameter
+    std::array<double, counter_number> counted_{};  ///< so far
+    CounterValues counter_values_{counted_.size(), counted_.data()};
 
     Materials materials_;
     std::vector<std::unique_ptr<walls::Wall>> walls_;

@@ -27,8 +27,6 @@ namespace {
 
 constexpr int grow_callback = 0;
 
-/// Places in the sums.
-enum Sum { by_stress = 0, by_walls = 3, bounces = 6, pushed = 7 };
 const std::vector<std::string> sum_names{"stress_x", "stress_y", "stress_z", "walls_x",
                                          "walls_y",  "walls_z",  "bounces",  "pushed"};
 
@@ -77,6 +75,7 @@ void* FixMpPic::extract(const char* name, int& dimension)
     dimension = 0;
     static int yes = 1;
     if (std::strcmp(name, extract_takes_new_forces) == 0) return &yes;
+    if (std::strcmp(name, extract_counters) == 0) return &counted_;
     if (has_stress_ && std::strcmp(name, extract_solid_stress) == 0) return static_cast<SolidStress*>(this);
     return nullptr;
 }

@@ -11,6 +11,7 @@
 #include "fix.h"
 #include "mp_pic/stress_law.hpp"
 #include "mp_pic/wall_bounce.hpp"
+#include "plugin/counter.hpp"
 #include "plugin/solid_stress.hpp"
 
 namespace interphase::mp_pic {
@@ -83,8 +84,10 @@ private:
     bool arrived_ = false;
     std::string complaint_;
 
+    enum Sum { by_stress = 0, by_walls = 3, bounces = 6, pushed = 7, sum_number = 8 };
     /// Since the start, of this rank: momentum that stress and walls gave [kg m/s]; bounces, put out of walls.
-    std::array<double, 8> sums_{};
+    std::array<double, sum_number> sums_{};
+    CounterValues counted_{1, &sums_[pushed]};
 };
 
 }  // namespace interphase::mp_pic

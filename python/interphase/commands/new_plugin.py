@@ -5,7 +5,7 @@ import argparse
 import os
 import re
 
-from interphase import exits
+from interphase import exits, methods
 from interphase.input_error import InputError
 from interphase.tree import REPOSITORY, TOOLS
 
@@ -42,6 +42,8 @@ def checked_name(name):
                       "since the library, the class and the style are called after it")  # fmt: skip
     if name in TAKEN:
         raise InputError(f"the name '{name}' is one that CMake keeps for itself: give another one, such as my_{name}")
+    if name.upper() in methods.of_tree():
+        raise InputError(f"the name '{name}' will not do: the plug-in's method would be {name.upper()}, which there is already; give another one")
     return name
 
 
@@ -86,7 +88,7 @@ def main():
     build = os.path.join(REPOSITORY, "build", "release")
     try:
         for template in (TEMPLATE, WITH_MEMORY) if given.with_memory else (TEMPLATE,):
-            write(template, folder, {"NAME": name, "CLASS": "".join(part.capitalize() for part in name.split("_")),
+            write(template, folder, {"NAME": name, "METHOD": name.upper(), "CLASS": "".join(part.capitalize() for part in name.split("_")),
                                      "INTERPHASE_BUILD": build, "INTERPHASE_TOOLS": TOOLS})  # fmt: skip
     except OSError as error:
         raise InputError(f"{folder} cannot be written: {error}") from None

@@ -88,11 +88,12 @@ LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& setting
     refuse_unusable_scene(comm_, *lmp_, settings_, plugins_);
     weights_ = weight_property(*lmp_, settings.script);
     to_come_ = spheres_to_come(*lmp_);
-    if (settings.method != Method::mp_pic && (lmp_->force->pair || !resolves_contacts(settings.method)))
+    if (settings.method.single_collisions && (lmp_->force->pair || settings.method.collisions_of_plugin))
         contact_duration_ = shortest_contact(*lmp_, to_come_);
     rayleigh_time_ = interphase::rayleigh_time(*lmp_);
     remarks_ = std::make_unique<SceneRemarks>(comm_, *lmp_, settings_, plugins_);
     const PluginFixes of_plugins(*lmp_, plugins_, settings_.script);
+    counters_ = std::make_unique<PluginCounters>(of_plugins, plugins_, settings_.script);
     step_limit_ = of_plugins.step_limit(comm_);
     solid_stress_ = of_plugins.solid_stress();
     moves_come_first_ = of_plugins.say(extract_moves_before_forces);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "engines/liggghts/plugins/plugin_counters.hpp"
 #include "engines/liggghts/plugins/plugin_loader.hpp"
 #include "engines/liggghts/script/earlier_files.hpp"
 #include "engines/liggghts/script/last_words.hpp"
@@ -69,6 +70,7 @@ public:
 
     std::vector<Problem> remarks() override;
     std::vector<Count> counts() const override;
+    std::vector<Count> counters() const override { return counters_->now(comm_); }
     static std::vector<const CountKind*> count_kinds();  ///< what counts() may have
     EngineWarnings* warnings() override;                 ///< flushed
 
@@ -88,6 +90,7 @@ private:
     FixPopulation* population_ = nullptr;
     const LAMMPS_NS::Fix* weights_ = nullptr;  ///< the script's, or null: all have that of the settings
     std::vector<LoadedPlugin> plugins_;
+    std::unique_ptr<PluginCounters> counters_;
     std::optional<double> contact_duration_, rayleigh_time_, step_limit_;
     SolidStress* solid_stress_ = nullptr;  ///< a fix's
     bool moves_come_first_ = false, takes_new_forces_ = false;
