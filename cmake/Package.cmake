@@ -9,7 +9,7 @@ include(CMakePackageConfigHelpers)
 set(_root "${PROJECT_BINARY_DIR}/include/interphase")
 set(_headers plugin/plugin.hpp plugin/solid_stress.hpp plugin/wall_gaps.hpp plugin/method.hpp plugin/counter.hpp plugin/fingerprint.hpp base/vector.hpp base/text.hpp base/problem.hpp base/exit_code.hpp)
 set(_shared_headers contacts/fix_contacts.hpp contacts/fix_contacts_with_memory.hpp contacts/contact.hpp contacts/contact_memory.hpp
-    contacts/cells.hpp contacts/ghost_reach.hpp walls/fix_wall.hpp walls/wall.hpp walls/triangle_wall.hpp walls/place.hpp script/script.hpp)
+    contacts/cells.hpp contacts/ghost_reach.hpp walls/fix_wall.hpp walls/wall_set.hpp walls/wall.hpp walls/triangle_wall.hpp walls/place.hpp script/script.hpp)
 function(_lay_out root)
     foreach(_header IN LISTS ARGN)
         get_filename_component(_folder "${_header}" DIRECTORY)

@@ -30,6 +30,7 @@ constexpr int most_parts = 100;
 constexpr double touching_share = 0.1;  // of the margin
 constexpr int ahead = 8;                // spheres
 constexpr double usual_reach = 0.3;     // of a diameter: hardly any pair closes a wider gap in a step
+constexpr double most_way_of_walls = 0.5;  // of a radius, in a part of a step: where a sphere meets them is that they stand there
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -159,7 +160,7 @@ void FixTdhs::setup(int)
     ask_gravity();  // not in init(): the fix may come later in the script, and knows only after its own
     choose_effort();
     collect_walls();
-    for (const auto& wall : walls_)
+    for (const auto& wall : walls_.all())
         if (wall->type() < 0 || wall->type() >= atom->ntypes)
             error->all(FLERR, "Fix tdhs: a wall has a type that the simulation box does not know");
     if (!started_) {  // what meets in the very first step
@@ -175,7 +176,7 @@ void FixTdhs::collect_walls()
 {
     walls_.clear();
     for (int k = 0; k < modify->nfix; ++k)
-        if (const auto* fix = dynamic_cast<FixWallTdhs*>(modify->fix[k])) fix->add_walls(walls_);
+        if (const auto* fix = dynamic_cast<FixWallTdhs*>(modify->fix[k])) walls_.add(*fix);
 }
 
 void FixTdhs::initial_integrate(int)
@@ -186,6 +187,7 @@ void FixTdhs::initial_integrate(int)
         cost_.switch_to(Part::communication);
         comm->forward_comm();
         std::fill(push_.begin(), push_.end(), 0.0);
+        walls_.travel(limits_.step);
         resolve_contacts();
         move();
     }
@@ -196,6 +198,7 @@ void FixTdhs::final_integrate()
 {
     const TinyIsZero in_this_step;
     add_forces();
+    walls_.follow();
     choose_parts();
     resolve_contacts();
     cost_.switch_to(Part::outside);
@@ -232,7 +235,7 @@ void FixTdhs::resolve_contacts()
     gather();
     pairs_.find(bodies_, grid_, limits_.step, limits_.margin, limits_.touching);
     cost_.switch_to(Part::walls);
-    find_wall_contacts(bodies_, walls_, materials_, limits_, wall_contacts_);
+    find_wall_contacts(bodies_, walls_.all(), materials_, limits_, wall_contacts_);
 
     cost_.switch_to(Part::contacts);
     counts_ = &solver_.count_touches(pairs_, wall_contacts_);
@@ -326,18 +329,23 @@ void FixTdhs::choose_parts()
     const double* v = atom->nlocal > 0 ? atom->v[0] : nullptr;
     for (int i = 0; i < 3 * atom->nlocal; i += 3)
         fastest2 = std::max(fastest2, v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2]);
-    const double fastest = std::sqrt(shared_max(fastest2));
+    const double fastest = std::sqrt(shared_max(fastest2)), of_walls = walls_.fastest();
     const double diameter = 2 * smallest_radius_, widest = 2 * ghosts_.largest_radius();
     const double closing = 2 * fastest * update->dt;  // no two spheres close a wider gap in a step
 
     // Pairs with gaps up to `reach` are looked at; one farther apart has to close that and a diameter to pass unseen.
     const double bound = diameter + widest;
-    parts_ = std::max(1, static_cast<int>(std::ceil(closing / bound)));
+    const double way_of_walls = of_walls * update->dt, most_of_walls = most_way_of_walls * smallest_radius_;
+    const double needed = std::max(closing / bound, way_of_walls / most_of_walls);
+    parts_ = std::max(1, static_cast<int>(std::ceil(needed)));
     if (parts_ > 1 && (!shortens_ || parts_ > most_parts)) {
-        const std::string limit = std::to_string(0.5 * bound / fastest);
-        error->all(FLERR, ("Fix tdhs: a sphere moves at " + std::to_string(fastest) + " m/s, which is " +
-                           std::to_string(fastest * update->dt) + " m in a step; from " + std::to_string(0.5 * bound) +
-                           " m on, spheres may pass through each other. Give a step below " + limit + " s" +
+        const bool wall = way_of_walls / most_of_walls > closing / bound;
+        const double speed = wall ? of_walls : fastest, most = wall ? most_of_walls : 0.5 * bound;
+        error->all(FLERR, (std::string("Fix tdhs: a ") + (wall ? "wall" : "sphere") + " moves at " +
+                           std::to_string(speed) + " m/s, which is " + std::to_string(speed * update->dt) +
+                           " m in a step; from " + std::to_string(most) + " m on, " +
+                           (wall ? "it may pass through a sphere" : "spheres may pass through each other") +
+                           ". Give a step below " + std::to_string(most / speed) + " s" +
                            (shortens_ ? ", or find out why it is so fast" : ", or `too_fast shorten`"))
                               .c_str());
     }

@@ -16,7 +16,7 @@
 #include "hard_sphere/counters.hpp"
 #include "hard_sphere/effort.hpp"
 #include "hard_sphere/pair_search.hpp"
-#include "walls/wall.hpp"
+#include "walls/wall_set.hpp"
 
 namespace interphase::hard_sphere {
 
@@ -126,7 +126,7 @@ private:
     CounterValues counter_values_{counted_.size(), counted_.data()};
 
     Materials materials_;
-    std::vector<std::unique_ptr<walls::Wall>> walls_;
+    walls::WallSet walls_;
     StepLimits limits_{};
     double reach_ = 0;             ///< gap up to which pairs are looked for [m]
     contacts::GhostReach ghosts_;  ///< as far away as a pair may be that meets within one step

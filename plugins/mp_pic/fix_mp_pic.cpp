@@ -91,10 +91,31 @@ void FixMpPic::setup(int)
 {
     walls_.clear();
     for (int k = 0; k < modify->nfix; ++k)
-        if (const auto* fix = dynamic_cast<FixWallMpPic*>(modify->fix[k])) fix->add_walls(walls_);
-    for (const auto& wall : walls_)
+        if (const auto* fix = dynamic_cast<FixWallMpPic*>(modify->fix[k])) walls_.add(*fix);
+    for (const auto& wall : walls_.all())
         if (wall->type() < 0 || wall->type() >= atom->ntypes)
             error->all(FLERR, "Fix mp_pic: a wall has a type that the simulation box does not know");
+    follow_walls();
+}
+
+/// Parcels meet a wall where it will be at the end of the step: LIGGGHTS moves meshes before or after them, as the script has it.
+void FixMpPic::follow_walls()
+{
+    if (!walls_.any_travels()) return;
+    walls_.follow();
+    walls_.travel(update->dt);
+    const double way = update->dt * walls_.fastest();
+    double smallest = 1e300;
+    for (int i = 0; i < atom->nlocal; ++i)
+        smallest = std::min(smallest, atom->radius[i]);
+    MPI_Allreduce(MPI_IN_PLACE, &smallest, 1, MPI_DOUBLE, MPI_MIN, world);
+    constexpr double most = 0.5;  // of a radius: the centre of a parcel must not get to its other side
+    if (way > most * smallest)
+        error->all(FLERR, ("Fix mp_pic: a wall moves by " + text(way) + " m in a step of " + text(update->dt) +
+                           " s, more than half the radius of the smallest parcel, " + text(smallest) +
+                           " m, and would pass through it. Give a step of at most " +
+                           text(most * smallest / walls_.fastest()) + " s (solidStep), or a slower wall")
+                              .c_str());
 }
 
 double FixMpPic::stress(double solid_fraction) const
@@ -161,6 +182,7 @@ void FixMpPic::final_integrate()
     const double half = 0.5 * update->dt;
     for (int i = 0; i < atom->nlocal; ++i)
         if (atom->mask[i] & groupbit) kick(i, half);
+    follow_walls();
 }
 
 void FixMpPic::kick(int i, double dt)
@@ -192,7 +214,7 @@ void FixMpPic::move(int i)
     walls::Place place;
     set(place.centre, to_vector(atom->x[i]));
     place.radius = atom->radius[i];
-    const Drift moved = drift(place, velocity, update->dt, walls_, wall_laws_[at(atom->type[i] - 1)]);
+    const Drift moved = drift(place, velocity, update->dt, walls_.all(), wall_laws_[at(atom->type[i] - 1)]);
     if (moved.bounces > 0 || moved.pushed > 0) {
         const Vector given = atom->rmass[i] * (moved.velocity - velocity);
         for (int axis = 0; axis < 3; ++axis)

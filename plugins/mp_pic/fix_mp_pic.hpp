@@ -13,6 +13,7 @@
 #include "mp_pic/wall_bounce.hpp"
 #include "plugin/counter.hpp"
 #include "plugin/solid_stress.hpp"
+#include "walls/wall_set.hpp"
 
 namespace interphase::mp_pic {
 
@@ -65,6 +66,7 @@ private:
     void kick(int i, double dt);
     Vector take_stress(int i);
     void move(int i);
+    void follow_walls();
     void complain_of_step(int particle, double gas_step, double longest);
 
     // what the script says
@@ -77,7 +79,7 @@ private:
 
     std::vector<double> restitution_;              ///< among particles, by type
     std::vector<std::vector<WallLaw>> wall_laws_;  ///< by type of particle and of wall
-    std::vector<std::unique_ptr<walls::Wall>> walls_;
+    walls::WallSet walls_;  ///< where they will be at the end of the next step
 
     std::vector<StressState> states_;  ///< [atoms]
     bool kicked_whole_ = false;        ///< where the stress acts, by the forces of the gas step

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "walls/wall_set.hpp"
+
+#include <algorithm>
+
+namespace interphase::walls {
+
+void WallSet::clear()
+{
+    walls_.clear();
+    origins_.clear();
+}
+
+void WallSet::add(const FixWall& fix)
+{
+    for (int n = 0; n < fix.wall_count(); ++n) {
+        walls_.push_back(fix.wall(n));
+        origins_.push_back({&fix, n});
+    }
+}
+
+void WallSet::follow()
+{
+    for (std::size_t k = 0; k < walls_.size(); ++k)
+        if (const auto [fix, number] = origins_[k]; fix->travels(number)) walls_[k] = fix->wall(number);
+}
+
+void WallSet::travel(double time)
+{
+    for (const auto& wall : walls_)
+        wall->travel(time);
+}
+
+bool WallSet::any_travels() const
+{
+    return std::any_of(origins_.begin(), origins_.end(),
+                       [](const Origin& origin) { return origin.fix->travels(origin.number); });
+}
+
+double WallSet::fastest() const
+{
+    double fastest = 0;
+    for (const auto& wall : walls_)
+        fastest = std::max(fastest, wall->fastest());
+    return fastest;
+}
+
+}  // namespace interphase::walls
