@@ -179,6 +179,20 @@ void FixTdhs::collect_walls()
         if (const auto* fix = dynamic_cast<FixWallTdhs*>(modify->fix[k])) walls_.add(*fix);
 }
 
+void FixTdhs::follow_walls()
+{
+    if (!walls_.any_travels()) return;
+    walls_.travel(limits_.step);  // through the last part of the step
+    const double off = walls_.follow(), most = most_way_of_walls * smallest_radius_;
+    if (off > most)
+        error->all(FLERR, ("Fix tdhs: a wall is " + std::to_string(off) +
+                           " m from where its last velocity would have brought it in a step, more than half the radius "
+                           "of a sphere, " + std::to_string(most) +
+                           " m, and may have passed through one. LIGGGHTS tells how fast a mesh moves once it has moved: "
+                           "give a shorter step, or let the mesh set out slowly")
+                              .c_str());
+}
+
 void FixTdhs::initial_integrate(int)
 {
     const TinyIsZero in_this_step;
@@ -198,7 +212,7 @@ void FixTdhs::final_integrate()
 {
     const TinyIsZero in_this_step;
     add_forces();
-    walls_.follow();
+    follow_walls();
     choose_parts();
     resolve_contacts();
     cost_.switch_to(Part::outside);

@@ -79,6 +79,7 @@ private:
     Materials read_materials();
     void measure_spheres();
     void collect_walls();
+    void follow_walls();
     void ask_gravity();
     void add_forces();
     void gather();

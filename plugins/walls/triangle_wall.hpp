@@ -32,6 +32,7 @@ public:
     bool may_touch(const Place& sphere, double reach) const override;
     double fastest() const override;
     void travel(double time) override;
+    double away_from(const Wall& before) const override;
 
 private:
     void sort_into_cells();

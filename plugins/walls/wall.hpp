@@ -34,6 +34,8 @@ public:
     virtual double fastest() const { return 0; }
     /// Where it will be `time` [s] later, as it travels now.
     virtual void travel(double /*time*/) {}
+    /// The largest distance of a point of it from where `before`, the same wall, has it [m].
+    virtual double away_from(const Wall& /*before*/) const { return 0; }
 
 private:
     int type_;

@@ -19,10 +19,17 @@ void WallSet::add(const FixWall& fix)
     }
 }
 
-void WallSet::follow()
+double WallSet::follow()
 {
-    for (std::size_t k = 0; k < walls_.size(); ++k)
-        if (const auto [fix, number] = origins_[k]; fix->travels(number)) walls_[k] = fix->wall(number);
+    double off = 0;
+    for (std::size_t k = 0; k < walls_.size(); ++k) {
+        const auto [fix, number] = origins_[k];
+        if (!fix->travels(number)) continue;
+        std::unique_ptr<Wall> now = fix->wall(number);
+        off = std::max(off, now->away_from(*walls_[k]));
+        walls_[k] = std::move(now);
+    }
+    return off;
 }
 
 void WallSet::travel(double time)

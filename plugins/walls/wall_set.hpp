@@ -17,9 +17,10 @@ public:
     /// Adds the fix's walls as they stand now; it has to live on. Collective.
     void add(const FixWall& fix);
 
-    /// Those that travel, as they stand and move now. Nothing is sent where none does. Collective.
-    void follow();
-    /// Where those that travel will be `time` [s] later, as they move now.
+    /// Those that travel, as they stand and move now. Nothing is sent where none does. Returns how far a point of them
+    /// is from where travel() had it [m]. Collective.
+    double follow();
+    /// To where those that travel will be `time` [s] later, as they move now.
     void travel(double time);
 
     bool any_travels() const;
