@@ -6,10 +6,12 @@
 #include <exception>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/exit_code.hpp"
 #include "base/stop_together.hpp"
 #include "base/version.hpp"
+#include "engines/liggghts/plugins/plugin_opener.hpp"
 #include "engines/liggghts/solids/liggghts_maker.hpp"
 #include "engines/openfoam/foam_case.hpp"
 #include "run/count_page.hpp"
@@ -35,7 +37,7 @@ Runs a coupled case: LIGGGHTS for the particles, OpenFOAM for the gas.
   -help keys           the keys of system/couplingDict
   -help counts         what a run counts, and when to worry
   -help methods        the collision methods, LIGGGHTS's and those of plug-ins at hand
-  -help methods PLUGIN ...   those of LIGGGHTS and of these plug-ins, by name or path
+  -help methods PLUGIN ...   those of LIGGGHTS and of these plug-ins, by name or path; counts likewise
   -version             version, commit, compiler, engines
 
 A case is a folder with system/controlDict, system/couplingDict, a mesh, fields in 0/, and a LIGGGHTS script. tools/run
@@ -54,12 +56,12 @@ std::string page_asked_for(int argc, char** argv)
     using namespace interphase;
     if (argc < 3 || std::string(argv[1]) != "-help") return "";
     const std::string about = argv[2];
-    if (about == "methods")
-        return method_page(argc == 3 ? LiggghtsMaker::methods_at_hand()
-                                     : LiggghtsMaker().methods({argv + 3, argv + argc}));
-    if (argc > 3) return "";
-    if (about == "keys") return key_page(setting_keys(LiggghtsMaker()));
-    return about == "counts" ? count_page(LiggghtsSolids::count_kinds(), LiggghtsMaker::counts_of_plugins()) : "";
+    if (about == "keys" && argc == 3) return key_page(setting_keys(LiggghtsMaker()));
+    if (about != "methods" && about != "counts") return "";
+    const std::vector<OpenPlugin> plugins =
+        argc == 3 ? open_plugins_at_hand() : open_plugins(Communicator(), {argv + 3, argv + argc}, "command line");
+    return about == "methods" ? method_page(methods_of(plugins))
+                              : count_page(LiggghtsSolids::count_kinds(), counts_of(plugins));
 }
 
 void show(const std::string& page)

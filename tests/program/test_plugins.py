@@ -427,7 +427,10 @@ class OwnMethods(PluginTest):
         done = subprocess.run([support.PROGRAM, "-help", "methods", "nowhere"], cwd=self.root, env=support.environment(**environment()), capture_output=True,
                               text=True, timeout=60)  # fmt: skip
         self.assertEqual(done.returncode, 1)
-        self.assertIn("there is no plug-in `nowhere`", done.stderr)
+        self.assertRegex(done.stderr, "there is no plug-in `nowhere`(.|\n)*where:  command line")
+        done = subprocess.run([support.PROGRAM, "-help", "counts", "own_method"], cwd=self.root, env=support.environment(**environment()), capture_output=True,
+                              text=True, timeout=60)  # fmt: skip
+        self.assertIn("## fastest kicked particle\n\n`fastest`. The speed of the fastest.\n\n- Look at it above 5 m/s.", done.stdout)
 
     def test_tools_know_it(self):
         """`kicked` is a method of a case that names the plug-in, and tracks particles."""

@@ -2,13 +2,10 @@
 #include "engines/liggghts/solids/liggghts_maker.hpp"
 
 #include "engines/liggghts/plugins/own_methods.hpp"
-#include "engines/liggghts/plugins/plugin_opener.hpp"
 
 namespace interphase {
 
-namespace {
-
-Methods with_own(const std::vector<OpenPlugin>& plugins)
+Methods methods_of(const std::vector<OpenPlugin>& plugins)
 {
     Methods all = own_methods();
     for (const OpenPlugin& plugin : plugins)
@@ -16,14 +13,19 @@ Methods with_own(const std::vector<OpenPlugin>& plugins)
     return all;
 }
 
-}  // namespace
+std::vector<CountKind> counts_of(const std::vector<OpenPlugin>& plugins)
+{
+    std::vector<CountKind> all;
+    for (const OpenPlugin& plugin : plugins)
+        for (const Counter& counter : plugin.counters)
+            all.push_back(kind_of(counter));
+    return all;
+}
 
 Methods LiggghtsMaker::methods(const std::vector<std::string>& plugins) const
 {
-    return with_own(open_plugins(comm_, plugins, "system/couplingDict, plugins"));
+    return methods_of(open_plugins(comm_, plugins, "system/couplingDict, plugins"));
 }
-
-Methods LiggghtsMaker::methods_at_hand() { return with_own(open_plugins_at_hand()); }
 
 std::string LiggghtsMaker::plugin_with(const std::string& method) const
 {
@@ -36,15 +38,6 @@ std::string LiggghtsMaker::plugin_with(const std::string& method) const
 std::unique_ptr<ParticleEngine> LiggghtsMaker::make(const Communicator& comm, const Settings& settings) const
 {
     return std::make_unique<LiggghtsSolids>(comm, settings, later_);
-}
-
-std::vector<CountKind> LiggghtsMaker::counts_of_plugins()
-{
-    std::vector<CountKind> all;
-    for (const OpenPlugin& plugin : open_plugins_at_hand())
-        for (const Counter& counter : plugin.counters)
-            all.push_back(kind_of(counter));
-    return all;
 }
 
 }  // namespace interphase

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/communicator.hpp"
+#include "engines/liggghts/plugins/plugin_opener.hpp"
 #include "engines/liggghts/solids/liggghts_solids.hpp"
 #include "run/particle_engine.hpp"
 
@@ -16,12 +17,15 @@ public:
     std::string plugin_with(const std::string& method) const override;
     std::unique_ptr<ParticleEngine> make(const Communicator& comm, const Settings& settings) const override;
 
-    static Methods methods_at_hand();                   ///< its own, and those of plug-ins where these are looked for
-    static std::vector<CountKind> counts_of_plugins();  ///< of plug-ins there
-
 private:
     Communicator comm_;
     LaterStart later_;
 };
+
+/// LIGGGHTS's own, and those of the plug-ins.
+Methods methods_of(const std::vector<OpenPlugin>& plugins);
+
+/// What fixes of the plug-ins count.
+std::vector<CountKind> counts_of(const std::vector<OpenPlugin>& plugins);
 
 }  // namespace interphase
