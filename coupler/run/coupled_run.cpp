@@ -182,6 +182,10 @@ void CoupledRun::step()
     const GasStep planned = clock_.next(wanted_gas_step(), case_.end_time() - case_.time());
     gas_step_ = planned.duration;
     const double start = case_.time();
+    stopwatch_.switch_to(Phase::solids);
+    for (const std::string& done : solids_->begin_gas_step(start))
+        report_.note("t = " + text(start) + " s: " + done);
+    stopwatch_.switch_to(Phase::gas);
     case_.advance_time(planned.duration);
     if (coupling_) {
         try {

@@ -64,6 +64,10 @@ public:
     /// Sets the step [s] and readies the run of about `steps` steps, with or without a gas. Collective.
     virtual void start(double solid_step, long steps, bool with_gas) = 0;
 
+    /// A gas step begins at `time` [s]: does what the case has for it by then. Returns what it did, in words.
+    /// Collective.
+    virtual std::vector<std::string> begin_gas_step(double /*time*/) { return {}; }
+
     /// The end has moved: about `steps` steps are left. After start(). Collective.
     virtual void end_after(long steps) = 0;
 

@@ -96,6 +96,11 @@ void Report::progress(double time, const Observation& seen)
     std::fflush(stdout);
 }
 
+void Report::note(const std::string& message) const
+{
+    if (prints_) std::printf("%s\n", message.c_str());
+}
+
 void Report::warn(const std::string& message) const
 {
     if (!prints_) return;

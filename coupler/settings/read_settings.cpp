@@ -98,6 +98,26 @@ void read_solid_step(Reader& dict, Settings& settings)
         throw dict.complaint(rules[1], "both " + rules[1] + " and " + rules[0] + " are given", "keep one of them");
 }
 
+void read_commands(Reader& dict, Settings& settings)
+{
+    dict.own_blocks({"commands", "commands of LIGGGHTS at a time of the run: to open a gate, to start a feed"},
+                    [&](const std::string& name, Reader& block) {
+                        TimedCommands commands{name, 0, {}};
+                        std::optional<double> time;
+                        block.number(
+                            {"time", "before the first gas step that begins then or later", "s", "must be given"}, time,
+                            at_least(0));
+                        if (!time && block.has("lines"))
+                            throw block.complaint("lines", "commands `" + name + "` have no time",
+                                                  "add `time T;`, in seconds of the run");
+                        block.texts({"lines", "as a script of LIGGGHTS has them"}, commands.lines);
+                        commands.time = time.value_or(0);
+                        settings.commands.push_back(commands);
+                    });
+    std::stable_sort(settings.commands.begin(), settings.commands.end(),
+                     [](const TimedCommands& a, const TimedCommands& b) { return a.time < b.time; });
+}
+
 void read_particles(Reader& dict, Settings& settings, const std::filesystem::path& folder)
 {
     dict.required_text({"script", "LIGGGHTS script, from the case folder on"}, settings.script,
@@ -106,6 +126,7 @@ void read_particles(Reader& dict, Settings& settings, const std::filesystem::pat
         throw dict.complaint("script", "there is no LIGGGHTS script `" + settings.script + "` in the case",
                              "correct the name, or put the script there");
     dict.own_entries({"variables", "handed to the script as LIGGGHTS variables, with `weight`"}, settings.variables);
+    read_commands(dict, settings);
     read_solid_step(dict, settings);
     dict.number(
         {"stepAtTimeZero",

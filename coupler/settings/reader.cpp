@@ -154,6 +154,19 @@ void Reader::names(const Key& key, std::vector<std::string>& value, const std::v
     value = *given;
 }
 
+void Reader::texts(const Key& key, std::vector<std::string>& value)
+{
+    ask(key, "list of texts", "");
+    if (!dictionary_) return;
+    const auto given = has(key.name) ? dictionary_->texts(key.name) : std::nullopt;
+    if (!given || given->empty())
+        throw complaint(key.name,
+                        "`" + key.name + (has(key.name) ? " " + dictionary_->written(key.name) + ";` is" : "` has") +
+                            " no list of texts (" + key.meaning + ")",
+                        "write `" + key.name + " (\"one\" \"another\");`");
+    value = *given;
+}
+
 void Reader::points(const Key& key, std::vector<Vector>& value, std::size_t least, const std::string& remedy)
 {
     ask(key, std::to_string(least) + " points or more [" + key.unit + "]", "none");
@@ -201,6 +214,20 @@ void Reader::block(const Key& key, const std::function<void(Reader&)>& read)
     }
     read(inside);
     inside.refuse_unknown_keys();
+}
+
+void Reader::own_blocks(const Key& key, const std::function<void(const std::string& name, Reader&)>& read)
+{
+    block(key, [&](Reader& blocks) {
+        const auto of_name = [&](const std::string& name) {
+            blocks.block({name, "a name of your own for each"}, [&](Reader& entries) { read(name, entries); });
+        };
+        if (blocks.dictionary_)
+            for (const std::string& name : blocks.dictionary_->keys())
+                of_name(name);
+        else if (descriptions_)
+            of_name("NAME");
+    });
 }
 
 void Reader::block_or_none(const Key& key, bool& wanted, const std::function<void(Reader&)>& read)

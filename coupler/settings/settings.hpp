@@ -15,6 +15,13 @@ namespace interphase {
 enum class GasModel { pimple, frozen, none };
 enum class OutsideMesh { stop, ignore };
 
+/// Commands of LIGGGHTS for the script's scene, at a time of the run.
+struct TimedCommands {
+    std::string name;
+    double time = 0;  ///< before the first gas step that begins then or later [s]
+    std::vector<std::string> lines;
+};
+
 /// What system/couplingDict asks for. Lengths in m, times in s, pressures in Pa.
 struct Settings {
     Method method;                     ///< who handles collisions
@@ -23,6 +30,7 @@ struct Settings {
 
     std::string script;                                          ///< LIGGGHTS script, relative to the case
     std::vector<std::pair<std::string, std::string>> variables;  ///< handed to the script
+    std::vector<TimedCommands> commands;                         ///< in the order of their times
     double solid_step = 0;                                       ///< given solid step [s]; 0: derived
     double steps_per_collision = 20;                             ///< S: solid step = t_c / S
     double largest_overlap = 0;    ///< [tracked diameter]; above 0: solid step = that overlap at impact_speed
