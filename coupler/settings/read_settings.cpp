@@ -103,15 +103,9 @@ void read_commands(Reader& dict, Settings& settings)
     dict.own_blocks({"commands", "commands of LIGGGHTS at a time of the run: to open a gate, to start a feed"},
                     [&](const std::string& name, Reader& block) {
                         TimedCommands commands{name, 0, {}};
-                        std::optional<double> time;
-                        block.number(
-                            {"time", "before the first gas step that begins then or later", "s", "must be given"}, time,
-                            at_least(0));
-                        if (!time && block.has("lines"))
-                            throw block.complaint("lines", "commands `" + name + "` have no time",
-                                                  "add `time T;`, in seconds of the run");
+                        block.required_number({"time", "before the first gas step that begins then or later", "s"},
+                                              commands.time, at_least(0));
                         block.texts({"lines", "as a script of LIGGGHTS has them"}, commands.lines);
-                        commands.time = time.value_or(0);
                         settings.commands.push_back(commands);
                     });
     std::stable_sort(settings.commands.begin(), settings.commands.end(),

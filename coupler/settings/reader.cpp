@@ -34,10 +34,20 @@ void Reader::ask(const Key& key, const std::string& values, const std::string& f
             {block_, key.name, values, key.fallback.empty() ? fallback : key.fallback, key.meaning});
 }
 
-void Reader::number(const Key& key, double& value, const Range& range)
+void Reader::number(const Key& key, double& value, const Range& range) { number(key, value, range, text(value)); }
+
+void Reader::required_number(const Key& key, double& value, const Range& range)
+{
+    if (dictionary_ && !has(key.name))
+        throw complaint(key.name, "the entry `" + key.name + "` is missing",
+                        "add `" + key.name + " ...;`, a number: " + key.meaning);
+    number(key, value, range, "");
+}
+
+void Reader::number(const Key& key, double& value, const Range& range, const std::string& fallback)
 {
     const std::string unit = key.unit.empty() ? "" : " [" + key.unit + "]";
-    ask(key, "number" + unit + ", " + (key.values.empty() ? range.words : key.values), text(value));
+    ask(key, "number" + unit + ", " + (key.values.empty() ? range.words : key.values), fallback);
     if (!has(key.name)) return;
     const auto given = dictionary_->number(key.name);
     if (!given || !range.holds(*given))

@@ -28,6 +28,7 @@ public:
 
     void number(const Key& key, double& value, const Range& range);
     void number(const Key& key, std::optional<double>& value, const Range& range);  ///< without one where none is given
+    void required_number(const Key& key, double& value, const Range& range);        ///< which must be given
     void whole_number(const Key& key, double& value);                               ///< above 0
 
     /// A list (1 2 3) of numbers, each in `range`, at least one.
@@ -83,6 +84,7 @@ public:
     void refuse_unknown_keys(const std::vector<std::string>& ignored = {}) const;
 
 private:
+    void number(const Key& key, double& value, const Range& range, const std::string& fallback);
     void ask(const Key& key, const std::string& values, const std::string& fallback);
     std::size_t choose(const Key& key, std::size_t fallback, const std::vector<std::string>& choices);
     UserError not_accepted(const Key& key, const std::string& demand, const std::string& remedy) const;

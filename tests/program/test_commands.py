@@ -132,7 +132,7 @@ class Refusals(Scene):
 
     def test_before_anything_moves(self):
         for entry, *expected in (
-            ("commands { gate { lines (\"unfix gate\"); } }", "commands `gate` have no time", "add `time T;`"),
+            ("commands { gate { lines (\"unfix gate\"); } }", "the entry `time` is missing", "add `time ...;`"),
             ("commands { gate { time -1; lines (\"unfix gate\"); } }", "`time -1;` is not accepted"),
             ("commands { gate { time 0.1; } }", "`lines` has no list of texts", "write `lines "),
             ("commands { gate { time 0.1; lines \"unfix gate\"; } }", "is no list of texts"),
