@@ -23,11 +23,12 @@ Vector contact_impulse(const Sphere& a, const Sphere& b, const Vector& normal, d
     return along * normal - within_cone(slip, speed, sticking, friction * along);
 }
 
-Vector collision_impulse(const Sphere& a, const Sphere& b, const Vector& normal, const ContactLaw& law)
+Vector collision_impulse(const Sphere& a, const Sphere& b, const Vector& normal, const Response& response)
 {
     const double apart = contact_velocity(a, b, normal).dot(normal);
     if (apart >= 0) return Vector::Zero();
-    return contact_impulse(a, b, normal, -law.restitution * apart, law.tangential_restitution, law.friction);
+    return contact_impulse(a, b, normal, -response.restitution * apart, response.tangential_restitution,
+                           response.friction);
 }
 
 void apply_impulse(Sphere& a, Sphere& b, const Vector& normal, const Vector& impulse)

@@ -28,6 +28,9 @@ struct BatchNotes {
     int owner[lanes];         ///< body that remembers the impulse; any, in an empty lane
     int partner[lanes];       ///< what it remembers it under
     float touch_time[lanes];  ///< of impacts: when within the step [s]
+    int materials[lanes];     ///< which pair of types, Materials::between
+    float speed[lanes];  ///< of impacts: approach at the moment of touching; 0: no impact [m/s]. Before contacts are
+                         ///< ready: 1 where there may be an impact
 };
 
 /// Two bodies that overlap at the start of the step.

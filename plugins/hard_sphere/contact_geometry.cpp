@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hard_sphere/contact_geometry.hpp"
 
+#include <algorithm>
+
 #include "hard_sphere/lanes.hpp"
 
 namespace interphase::hard_sphere {
@@ -77,8 +79,8 @@ INTERPHASE_INLINE void fill(Bodies& bodies, ContactBatch& batch, BatchNotes& not
 
     const D gained = gained_along<D>(bodies.push.data(), i, j, normal);
     const Approach<D> fast = approach(met.time, speed, gained, step, limits);
-    const D bounce = if_negative(D(fast.least - fast.speed), wide<width>(batch.bounce + first), zero);
-    store(batch.bounce + first, D(met.touch * bounce));
+    const D bounces = if_negative(D(fast.least - fast.speed), wide<width>(notes.speed + first), zero);
+    store(notes.speed + first, D(met.touch * bounces * fast.speed));
     store(notes.touch_time + first, met.time);
 
     const D shorter = 0.5 * smaller(met.gap, zero);
@@ -96,12 +98,17 @@ INTERPHASE_INLINE void fill(Bodies& bodies, ContactBatch& batch, BatchNotes& not
     start(bodies.body.data(), batch, first, a, b, normal);
 }
 
+/// Batches of a cluster.
+struct Range {
+    std::size_t first, last, count;  ///< [first, last) of all [0, count)
+};
+
 template <int width>
-INTERPHASE_INLINE Overlap* fill_all(Bodies& bodies, ContactBatch* batches, BatchNotes* notes, std::size_t count,
+INTERPHASE_INLINE Overlap* fill_all(Bodies& bodies, ContactBatch* batches, BatchNotes* notes, const Range& range,
                                     const StepLimits& limits, Overlap* overlaps)
 {
-    for (std::size_t k = 0; k < count; ++k) {
-        const ContactBatch& soon = batches[k + ahead < count ? k + ahead : k];
+    for (std::size_t k = range.first; k < range.last; ++k) {
+        const ContactBatch& soon = batches[k + ahead < range.count ? k + ahead : k];
         fetch(bodies.path.data(), soon.i);
         fetch(bodies.path.data(), soon.j);
         fetch(bodies.body.data(), soon.i);
@@ -113,36 +120,41 @@ INTERPHASE_INLINE Overlap* fill_all(Bodies& bodies, ContactBatch* batches, Batch
     return overlaps;
 }
 
-INTERPHASE_WIDEST Overlap* by_eight(Bodies& bodies, ContactBatch* batches, BatchNotes* notes, std::size_t count,
+INTERPHASE_WIDEST Overlap* by_eight(Bodies& bodies, ContactBatch* batches, BatchNotes* notes, const Range& range,
                                     const StepLimits& limits, Overlap* overlaps)
 {
-    return fill_all<8>(bodies, batches, notes, count, limits, overlaps);
+    return fill_all<8>(bodies, batches, notes, range, limits, overlaps);
 }
 
-INTERPHASE_CLONES Overlap* by_four(Bodies& bodies, ContactBatch* batches, BatchNotes* notes, std::size_t count,
+INTERPHASE_CLONES Overlap* by_four(Bodies& bodies, ContactBatch* batches, BatchNotes* notes, const Range& range,
                                    const StepLimits& limits, Overlap* overlaps)
 {
-    return fill_all<4>(bodies, batches, notes, count, limits, overlaps);
+    return fill_all<4>(bodies, batches, notes, range, limits, overlaps);
 }
 
 /// The scalar.
-Overlap* by_one(Bodies& bodies, ContactBatch* batches, BatchNotes* notes, std::size_t count, const StepLimits& limits,
+Overlap* by_one(Bodies& bodies, ContactBatch* batches, BatchNotes* notes, const Range& range, const StepLimits& limits,
                 Overlap* overlaps)
 {
-    return fill_all<1>(bodies, batches, notes, count, limits, overlaps);
+    return fill_all<1>(bodies, batches, notes, range, limits, overlaps);
 }
 
 }  // namespace
 
 void make_ready(Bodies& bodies, std::vector<ContactBatch>& batches, std::vector<BatchNotes>& notes, std::size_t count,
-                const StepLimits& limits, std::vector<Overlap>& overlaps, int width)
+                const AnyLaw& law, const StepLimits& limits, std::vector<Overlap>& overlaps, int width)
 {
     if (width == 0) width = best_width();
-    const std::size_t before = overlaps.size();
-    overlaps.resize(before + lanes * count + 1);  // one is written even where none is
     const auto fill = width == 8 ? by_eight : width == 4 ? by_four : by_one;
-    Overlap* end = fill(bodies, batches.data(), notes.data(), count, limits, overlaps.data() + before);
-    overlaps.resize(static_cast<std::size_t>(end - overlaps.data()));
+    constexpr std::size_t at_a_time = 32;  // the law finds them still near the processor
+    for (std::size_t first = 0; first < count; first += at_a_time) {
+        const std::size_t last = std::min(first + at_a_time, count), before = overlaps.size();
+        overlaps.resize(before + lanes * (last - first) + 1);  // one is written even where none is
+        Overlap* end =
+            fill(bodies, batches.data(), notes.data(), {first, last, count}, limits, overlaps.data() + before);
+        overlaps.resize(static_cast<std::size_t>(end - overlaps.data()));
+        law.respond(&batches[first], &notes[first], last - first, width);
+    }
 }
 
 INTERPHASE_CLONES

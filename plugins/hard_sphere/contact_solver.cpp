@@ -44,10 +44,11 @@ void leave_empty(ContactBatch& batch, BatchNotes& notes, int resting_walls)
     for (int lane = 0; lane < lanes; ++lane) {
         batch.i[lane] = batch.j[lane] = resting_walls;
         notes.owner[lane] = 0;
-        batch.friction[lane] = 0;
+        notes.materials[lane] = 0;
+        notes.speed[lane] = 0;
         for (int axis = 0; axis < 3; ++axis)
             batch.tangential[axis][lane] = 0;
-        batch.bounce[lane] = batch.tangential_bounce[lane] = 0;
+        batch.friction[lane] = batch.bounce[lane] = batch.tangential_bounce[lane] = 0;
     }
 }
 
@@ -60,8 +61,8 @@ Overlap overlap_of(const Contact& contact)
 
 }  // namespace
 
-void ContactSolver::start(Bodies& bodies, const PairSearch& pairs, const std::vector<Contact>& walls,
-                          const Materials& materials, const StepLimits& limits, const ImpulseMemory& memory, int passes)
+void ContactSolver::start(Bodies& bodies, const PairSearch& pairs, std::vector<Contact>& walls, const AnyLaw& law,
+                          const StepLimits& limits, const ImpulseMemory& memory, int passes)
 {
     step_ = limits.step;
     passes_ = 0;
@@ -74,6 +75,7 @@ void ContactSolver::start(Bodies& bodies, const PairSearch& pairs, const std::ve
     overlaps_.clear();
     shift_.assign(n, Vector::Zero());
 
+    law.respond(bodies, walls.data(), walls.data() + walls.size());
     for (const Contact& contact : walls) {
         if (contact.gap < 0) overlaps_.push_back(overlap_of(contact));
         if (contact.touch && has(touches_one, contact.i))
@@ -83,12 +85,12 @@ void ContactSolver::start(Bodies& bodies, const PairSearch& pairs, const std::ve
     }
     start_from_memory(bodies.body, walls_.batches, walls_.places.count());
 
-    add_pairs(bodies, pairs, materials, limits, memory);
-    make_ready(bodies, spheres_.batches, spheres_.notes, spheres_.places.count(), limits, overlaps_);
+    add_pairs(bodies, pairs, law, limits, memory);
+    make_ready(bodies, spheres_.batches, spheres_.notes, spheres_.places.count(), law, limits, overlaps_);
 }
 
-void ContactSolver::add_pairs(Bodies& bodies, const PairSearch& pairs, const Materials& materials,
-                              const StepLimits& limits, const ImpulseMemory& memory)
+void ContactSolver::add_pairs(Bodies& bodies, const PairSearch& pairs, const AnyLaw& law, const StepLimits& limits,
+                              const ImpulseMemory& memory)
 {
     const auto most = static_cast<std::size_t>(pairs.end() - pairs.begin());
     if (cluster_pairs_.size() < most) cluster_pairs_.resize(most);
@@ -101,11 +103,7 @@ void ContactSolver::add_pairs(Bodies& bodies, const PairSearch& pairs, const Mat
         binary += part & alone;
     }
 
-    for (const Pair* pair = binary_pairs_.data(); pair != binary; ++pair) {
-        const Contact contact = contact_of_spheres(bodies, *pair, materials, limits);
-        if (contact.gap < 0) overlaps_.push_back(overlap_of(contact));
-        resolve_binary(bodies, contact);
-    }
+    resolve_binary(bodies, binary_pairs_.data(), binary, law, limits);
 
     const std::size_t count = static_cast<std::size_t>(clustered - cluster_pairs_.data());
     const auto label_of_j = [&](std::size_t k) -> const Label& {
@@ -115,8 +113,8 @@ void ContactSolver::add_pairs(Bodies& bodies, const PairSearch& pairs, const Mat
         const auto [i, j, touch] = cluster_pairs_[k];
         __builtin_prefetch(&label_of_j(k + 2 * ahead));
         memory.fetch(label_of_j(k + ahead).remembered);
-        const ContactLaw& law = materials.between(bodies.label[at(i)].type, bodies.label[at(j)].type);
-        add(spheres_, bodies, i, j, 0, law, memory);
+        const int materials = law.materials.between(bodies.label[at(i)].type, bodies.label[at(j)].type);
+        add(spheres_, bodies, i, j, 0, materials, memory);
     }
 }
 
@@ -166,15 +164,33 @@ std::vector<std::uint8_t>& ContactSolver::count_users(const Bodies& bodies, cons
     return users_;
 }
 
+void ContactSolver::resolve_binary(Bodies& bodies, const Pair* first, const Pair* last, const AnyLaw& law,
+                                   const StepLimits& limits)
+{
+    constexpr std::ptrdiff_t at_a_time = 64;  // the law and the collision find them still near the processor
+    binary_contacts_.reserve(at_a_time);
+    for (; first != last; first += std::min(at_a_time, last - first)) {
+        binary_contacts_.clear();
+        for (const Pair* pair = first; pair != first + std::min(at_a_time, last - first); ++pair)
+            binary_contacts_.push_back(contact_of_spheres(bodies, *pair, law.materials, limits));
+        law.respond(bodies, binary_contacts_.data(), binary_contacts_.data() + binary_contacts_.size());
+        for (const Contact& contact : binary_contacts_) {
+            if (contact.gap < 0) overlaps_.push_back(overlap_of(contact));
+            resolve_binary(bodies, contact);
+        }
+    }
+}
+
 void ContactSolver::resolve_binary(Bodies& bodies, const Contact& contact)
 {
+    const Response& response = contact.response;
     const auto i = at(contact.i), j = at(contact.j);
     const auto [arm_i, arm_j] = arms(bodies, contact);
     Sphere a = sphere(bodies.body[i], arm_i), b = sphere(bodies.body[j], arm_j);
-    const double parting = contact.impact ? contact.parting : -contact.closing;
-    const Vector impulse =
-        contact_impulse(a, b, contact.normal, parting, contact.impact ? contact.law->tangential_restitution : 0.0,
-                        contact.law->friction);
+    const double parting =
+        contact.impact ? std::max(0.0, response.restitution * contact.speed - contact.later) : -contact.closing;
+    const Vector impulse = contact_impulse(a, b, contact.normal, parting,
+                                           contact.impact ? response.tangential_restitution : 0.0, response.friction);
     if (impulse.isZero(0)) return;
     ++binary_;
     apply_impulse(a, b, contact.normal, impulse);
@@ -187,7 +203,7 @@ void ContactSolver::resolve_binary(Bodies& bodies, const Contact& contact)
     write(b, bodies.body[j]);
 }
 
-BatchPlace ContactSolver::add(Cluster& cluster, const Bodies& bodies, int i, int j, int key, const ContactLaw& law,
+BatchPlace ContactSolver::add(Cluster& cluster, const Bodies& bodies, int i, int j, int key, int materials,
                               const ImpulseMemory& memory)
 {
     const Label &a = bodies.label[at(i)], &b = bodies.label[at(j)];
@@ -207,23 +223,23 @@ BatchPlace ContactSolver::add(Cluster& cluster, const Bodies& bodies, int i, int
     ++cluster_contacts_;
     batch.i[lane] = i;
     batch.j[lane] = j;
-    batch.friction[lane] = static_cast<float>(law.friction);
     notes.owner[lane] = a_owns ? i : j;
     notes.partner[lane] = partner;
     const float sign = a_owns ? 1.0f : -1.0f;
     for (int axis = 0; axis < 3; ++axis)
         batch.tangential[axis][lane] = sign * last.impulse[axis];
     // restitution is for bodies that meet, not for those that press on each other already
-    const auto meet = static_cast<float>(remembered == 0);
-    batch.bounce[lane] = meet * static_cast<float>(1 + law.restitution);
-    batch.tangential_bounce[lane] = static_cast<float>(1 + law.tangential_restitution);
+    notes.speed[lane] = static_cast<float>(remembered == 0);
+    notes.materials[lane] = materials;
     return {k, lane};
 }
 
 void ContactSolver::add_wall(const Bodies& bodies, const Contact& contact, const ImpulseMemory& memory)
 {
-    const auto [k, lane] = add(walls_, bodies, contact.i, contact.j, contact.key, *contact.law, memory);
+    const auto [k, lane] = add(walls_, bodies, contact.i, contact.j, contact.key, contact.materials, memory);
     ContactBatch& batch = walls_.batches[k];
+    BatchNotes& notes = walls_.notes[k];
+    const Response& response = contact.response;
     const auto [arm_i, arm_j] = arms(bodies, contact);
     for (int axis = 0; axis < 3; ++axis)
         batch.normal[axis][lane] = static_cast<float>(contact.normal[axis]);
@@ -232,8 +248,11 @@ void ContactSolver::add_wall(const Bodies& bodies, const Contact& contact, const
     batch.mass[lane] =
         static_cast<float>(1 / (bodies.body[at(contact.i)].inverse_mass + bodies.body[at(contact.j)].inverse_mass));
     batch.closing[lane] = static_cast<float>(contact.closing);
-    if (!contact.impact) batch.bounce[lane] = 0;
-    walls_.notes[k].touch_time[lane] = static_cast<float>(contact.touch_time);
+    const bool bounces = contact.impact && notes.speed[lane] > 0;
+    batch.bounce[lane] = bounces ? static_cast<float>(1 + response.restitution) : 0.0f;
+    batch.tangential_bounce[lane] = static_cast<float>(1 + response.tangential_restitution);
+    batch.friction[lane] = static_cast<float>(response.friction);
+    notes.touch_time[lane] = static_cast<float>(contact.touch_time);
 }
 
 void ContactSolver::pass(std::vector<Body>& bodies, bool ends_forward)

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "atom.h"
 #include "comm.h"
@@ -36,9 +37,10 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-FixTdhs::FixTdhs(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, arg), ghosts_(*lmp, 4)
+FixTdhs::FixTdhs(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg, std::unique_ptr<AnyLaw> law)
+    : Fix(lmp, narg, arg), law_(std::move(law)), ghosts_(*lmp, 4)
 {
-    if (!atom->sphere_flag) error->all(FLERR, "Fix tdhs: the particles are no spheres; use atom_style granular");
+    if (!atom->sphere_flag) complain("the particles are no spheres; use atom_style granular");
     time_integrate = 1;
     create_attribute = 1;
     restart_global = 1;
@@ -62,13 +64,13 @@ FixTdhs::~FixTdhs() { atom->delete_callback(id, grow_callback); }
 void FixTdhs::post_run()
 {
     if (shortened_ > 0)
-        say("Fix tdhs resolved contacts in more than one part in %ld steps, for fast spheres\n", shortened_);
+        say("Fix %s resolved contacts in more than one part in %ld steps, for fast spheres\n", style, shortened_);
     const double deepest = shared_max(deepest_);
     if (deepest > deep)
-        say("Fix tdhs: the deepest overlap was %g of the smallest diameter. If the bed sinks, give more `passes` (now "
+        say("Fix %s: the deepest overlap was %g of the smallest diameter. If the bed sinks, give more `passes` (now "
             "%d) "
             "or a shorter step\n",
-            deepest, effort_.passes);
+            style, deepest, effort_.passes);
 }
 
 namespace {
@@ -131,7 +133,7 @@ void FixTdhs::ask_gravity()
 void FixTdhs::init()
 {
     refuse_company();
-    materials_ = read_materials();
+    read_materials();
 
     ghosts_.begin();
     measure_spheres();
@@ -160,7 +162,7 @@ void FixTdhs::setup(int)
     collect_walls();
     for (const auto& wall : walls_)
         if (wall->type() < 0 || wall->type() >= atom->ntypes)
-            error->all(FLERR, "Fix tdhs: a wall has a type that the simulation box does not know");
+            complain("a wall has a type that the simulation box does not know");
     if (!started_) {  // what meets in the very first step
         started_ = true;
         std::fill(push_.begin(), push_.end(), 0.0);
@@ -174,7 +176,8 @@ void FixTdhs::collect_walls()
 {
     walls_.clear();
     for (int k = 0; k < modify->nfix; ++k)
-        if (const auto* fix = dynamic_cast<FixWallTdhs*>(modify->fix[k])) fix->add_walls(walls_);
+        if (const auto* fix = dynamic_cast<FixWallTdhs*>(modify->fix[k]); fix && fix->is_heeded_by(style))
+            fix->add_walls(walls_);
 }
 
 void FixTdhs::initial_integrate(int)
@@ -231,14 +234,14 @@ void FixTdhs::resolve_contacts()
     gather();
     pairs_.find(bodies_, grid_, limits_.step, limits_.margin, limits_.touching);
     cost_.switch_to(Part::walls);
-    find_wall_contacts(bodies_, walls_, materials_, limits_, wall_contacts_);
+    find_wall_contacts(bodies_, walls_, law_->materials, limits_, wall_contacts_);
 
     cost_.switch_to(Part::contacts);
     counts_ = &solver_.count_touches(pairs_, wall_contacts_);
     if (has_ghosts()) tell_counts();
     solver_.classify(bodies_);
     if (has_ghosts()) split_masses();
-    solver_.start(bodies_, pairs_, wall_contacts_, materials_, limits_, memory_, effort_.passes);
+    solver_.start(bodies_, pairs_, wall_contacts_, *law_, limits_, memory_, effort_.passes);
     share_changes();
     for (int k = 0; k < effort_.passes; ++k) {
         solver_.pass(bodies_.body, up_is_forward_);
@@ -333,11 +336,10 @@ void FixTdhs::choose_parts()
     parts_ = std::max(1, static_cast<int>(std::ceil(closing / bound)));
     if (parts_ > 1 && (!shortens_ || parts_ > most_parts)) {
         const std::string limit = std::to_string(0.5 * bound / fastest);
-        error->all(FLERR, ("Fix tdhs: a sphere moves at " + std::to_string(fastest) + " m/s, which is " +
-                           std::to_string(fastest * update->dt) + " m in a step; from " + std::to_string(0.5 * bound) +
-                           " m on, spheres may pass through each other. Give a step below " + limit + " s" +
-                           (shortens_ ? ", or find out why it is so fast" : ", or `too_fast shorten`"))
-                              .c_str());
+        complain("a sphere moves at " + std::to_string(fastest) + " m/s, which is " +
+                 std::to_string(fastest * update->dt) + " m in a step; from " + std::to_string(0.5 * bound) +
+                 " m on, spheres may pass through each other. Give a step below " + limit + " s" +
+                 (shortens_ ? ", or find out why it is so fast" : ", or `too_fast shorten`"));
     }
     if (parts_ > 1) ++shortened_;
     limits_.step = update->dt / parts_;

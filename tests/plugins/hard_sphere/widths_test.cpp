@@ -10,6 +10,7 @@
 #include "hard_sphere/collision.hpp"
 #include "hard_sphere/contact.hpp"
 #include "hard_sphere/contact_geometry.hpp"
+#include "hard_sphere/law_of.hpp"
 #include "hard_sphere/processor.hpp"
 #include "hard_sphere/sweep.hpp"
 
@@ -41,13 +42,21 @@ struct Scene {
     std::vector<BatchNotes> notes;
     std::vector<Overlap> overlaps;
     StepLimits limits{step, 1e-4, 1e-5, 3e-6, 0.1, 1e-3, 2 * speed* step};
+    LawOf<ConstantRestitution> law;
 
     int pairs() const { return static_cast<int>(bodies.size() / 2); }
 
-    Scene(Draw& draw, std::size_t batch_count, double low, double high, const ContactLaw* law, double pushed = 0)
+    Scene(Draw& draw, std::size_t batch_count, double low, double high, const Response* response, double pushed = 0)
         : batches(batch_count), notes(batch_count)
     {
         bodies.resize(2 * lanes * batch_count);
+        constexpr int types = 8;
+        law.start(types);
+        for (int pair = 0; pair < types * types; ++pair) {
+            law.materials.number(pair, 0) = response ? response->restitution : draw(0, 1);
+            law.materials.number(pair, 1) = response ? response->tangential_restitution : draw(0, 1);
+            law.materials.number(pair, 2) = response ? response->friction : draw(0, 1);
+        }
         for (int pair = 0; pair < pairs(); ++pair) {
             const int i = 2 * pair, j = i + 1;
             const Vector normal = draw.vector(1).normalized(), middle = draw.vector(0.1);
@@ -61,9 +70,9 @@ struct Scene {
             batch.j[lane] = j;
             for (auto& component : batch.tangential)
                 component[lane] = 0;
-            batch.friction[lane] = static_cast<float>(law ? law->friction : draw(0, 1));
-            batch.bounce[lane] = static_cast<float>(1 + (law ? law->restitution : draw(0, 1)));
-            batch.tangential_bounce[lane] = static_cast<float>(1 + (law ? law->tangential_restitution : draw(0, 1)));
+            BatchNotes& note = notes[static_cast<std::size_t>(pair / lanes)];
+            note.materials[lane] = pair % (types * types);
+            note.speed[lane] = 1;
         }
     }
 
@@ -81,7 +90,7 @@ struct Scene {
         bodies.body[b].inverse_inertia = 2.5 * bodies.body[b].inverse_mass / (radius * radius);
     }
 
-    void make(int width) { make_ready(bodies, batches, notes, batches.size(), limits, overlaps, width); }
+    void make(int width) { make_ready(bodies, batches, notes, batches.size(), law, limits, overlaps, width); }
 
     /// As the solver does it: half of the passes compress, then restitution acts. Two bodies alone need one of each.
     void resolve(int width)
@@ -134,6 +143,8 @@ void expect_alike(const Scene& one, const Scene& other, int width)
             near(a.closing[lane], b.closing[lane], speed, "closing speed");
             near(a.impulse[lane], b.impulse[lane], a.mass[lane] * speed, "impulse");
             near(a.bounce[lane], b.bounce[lane], 1, "restitution");
+            near(a.tangential_bounce[lane], b.tangential_bounce[lane], 1, "tangential restitution");
+            near(a.friction[lane], b.friction[lane], 1, "friction");
             near(a.arm_i[lane], b.arm_i[lane], a.arm_i[lane], "arm");
             near(one.notes[k].touch_time[lane], other.notes[k].touch_time[lane], step, "time");
         }
@@ -171,17 +182,15 @@ TEST(Widths, AgreeOnRandomPairs)
 TEST(Widths, MakeOfAPairWhatTheContactOfTwoSpheresIs)
 {
     Draw draw;
-    const ContactLaw law{0.8, 0.6, 0.3};
-    Materials materials(1);
-    materials.between(0, 0) = law;
+    const Response response{0.8, 0.6, 0.3};
     for (const double gap : {-0.01, 0.0, 0.3})
         for (const int width : widths()) {
-            Scene scene(draw, 50, gap - 0.01, gap + 0.1, &law, 0.02);
+            Scene scene(draw, 50, gap - 0.01, gap + 0.1, &response, 0.02);
             const Bodies before = scene.bodies;
             scene.make(width);
             for (int pair = 0; pair < scene.pairs(); ++pair) {
                 const Contact contact =
-                    contact_of_spheres(before, {2 * pair, 2 * pair + 1, 0}, materials, scene.limits);
+                    contact_of_spheres(before, {2 * pair, 2 * pair + 1, 0}, scene.law.materials, scene.limits);
                 const ContactBatch& batch = scene.batches[static_cast<std::size_t>(pair / lanes)];
                 const int lane = pair % lanes;
                 EXPECT_LT((scene.normal(pair) - contact.normal).norm(), single);
@@ -199,8 +208,8 @@ TEST(Widths, KeepMomentumAndEnergyByTheRestitution)
     Draw draw;
     for (const double e : {0.0, 0.6, 1.0})
         for (const int width : widths()) {
-            const ContactLaw law{e, 0, 0};
-            Scene scene(draw, 50, 0, 1e-3, &law);
+            const Response response{e, 0, 0};
+            Scene scene(draw, 50, 0, 1e-3, &response);
             scene.make(width);
             const Scene before = scene;
             scene.resolve(width);
@@ -229,15 +238,15 @@ TEST(Widths, GiveTwoSpheresAloneTheirCollision)
     for (const double e : {0.3, 0.9})
         for (const double friction : {0.05, 0.3, 10.0})
             for (const int width : widths()) {
-                const ContactLaw law{e, e, friction};
-                Scene scene(draw, 50, 0, 1e-3, &law);
+                const Response response{e, e, friction};
+                Scene scene(draw, 50, 0, 1e-3, &response);
                 scene.make(width);
                 const Scene before = scene;
                 scene.resolve(width);
                 for (int pair = 0; pair < scene.pairs(); ++pair) {
                     if (before.batches[static_cast<std::size_t>(pair / lanes)].bounce[pair % lanes] == 0) continue;
                     Sphere a = before.sphere(2 * pair), b = before.sphere(2 * pair + 1);
-                    const Vector n = scene.normal(pair), impulse = collision_impulse(a, b, n, law);
+                    const Vector n = scene.normal(pair), impulse = collision_impulse(a, b, n, response);
                     const double change = impulse.norm() * std::max(a.inverse_mass, b.inverse_mass);
                     apply_impulse(a, b, n, impulse);
                     EXPECT_LT((a.velocity - scene.sphere(2 * pair).velocity).norm(), 10 * single * change);

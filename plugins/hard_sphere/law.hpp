@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "hard_sphere/lane_numbers.hpp"
+
+/// What a law of contacts is: a class of pure functions that are written once, for one contact (D is `double`) and for
+/// several side by side (lane_numbers.hpp has what can be done with such numbers).
+///
+///     struct Law {
+///         /// One number for each of `properties`, in their order: what materials are between the two types.
+///         template <class D>
+///         struct Materials {
+///             D restitution, friction;
+///         };
+///         static constexpr Property properties[] = {{"coefficientRestitution", 0, 1}, {"coefficientFriction", 0,
+///         1e30}};
+///
+///         template <class D>
+///         static D restitution(const Materials<D>& materials, const Meeting<D>&) { return materials.restitution; }
+///         ...
+///     };
+///
+/// Functions, all of (materials, meeting); a law has those that it wants, the first one at least:
+///
+///     restitution             e_n of an impact, 0 to 1; asked of contacts at rest, too, and not heeded there
+///     tangential_restitution  e_t of a sticking impact, 0 to 1; without it 0
+///     friction                mu, 0 or more; without it 0
+namespace interphase::hard_sphere {
+
+/// A number that a law reads for each pair of types: `fix ID all property/global NAME peratomtypepair ...`.
+struct Property {
+    const char* name;
+    double least, most;
+};
+
+/// What a law sees of a contact.
+template <class D>
+struct Meeting {
+    D speed;   ///< with which the surfaces approach each other when they touch; 0: no impact [m/s]
+    D mass;    ///< effective, m_i m_j/(m_i + m_j), m_i at a wall [kg]
+    D radius;  ///< effective, r_i r_j/(r_i + r_j), r_i at a wall [m]
+};
+
+/// The law of `tdhs`: all of it numbers of the materials (eqs. 10 and 11 of the paper).
+struct ConstantRestitution {
+    template <class D>
+    struct Materials {
+        D restitution, tangential_restitution, friction;
+    };
+    static constexpr Property properties[] = {
+        {"coefficientRestitution", 0, 1}, {"tangentialRestitution", 0, 1}, {"coefficientFriction", 0, 1e30}};
+
+    template <class D>
+    static D restitution(const Materials<D>& materials, const Meeting<D>&)
+    {
+        return materials.restitution;
+    }
+    template <class D>
+    static D tangential_restitution(const Materials<D>& materials, const Meeting<D>&)
+    {
+        return materials.tangential_restitution;
+    }
+    template <class D>
+    static D friction(const Materials<D>& materials, const Meeting<D>&)
+    {
+        return materials.friction;
+    }
+};
+
+}  // namespace interphase::hard_sphere
