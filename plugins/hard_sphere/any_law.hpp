@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
+#include "hard_sphere/attraction.hpp"
 #include "hard_sphere/bodies.hpp"
+#include "hard_sphere/cluster.hpp"
 #include "hard_sphere/contact.hpp"
-#include "hard_sphere/contact_batch.hpp"
 #include "hard_sphere/law.hpp"
 #include "hard_sphere/material.hpp"
 
@@ -25,8 +27,21 @@ public:
     /// Fills in what each contact's response is.
     virtual void respond(const Bodies& bodies, Contact* first, const Contact* last) const = 0;
 
-    /// The same for contacts of clusters, which are ready but for it. `width`: how many at once.
-    virtual void respond(ContactBatch* batches, const BatchNotes* notes, std::size_t count, int width) const = 0;
+    /// The same for the batches [first, last) of a cluster, which are ready but for it. `width`: how many contacts are
+    /// taken at once.
+    virtual void respond(Cluster& cluster, std::size_t first, std::size_t last, int width) const = 0;
+
+    /// Whether it resists rolling.
+    virtual bool rolls() const = 0;
+
+    /// Up to which gap bodies draw each other; 0: they do not [m].
+    virtual double longest_range() const = 0;
+
+    /// Fills in the force of each.
+    virtual void attract(std::vector<Attraction>& attractions) const = 0;
+
+    /// What of its answers between spheres of these sizes is none; nothing where all is well.
+    virtual std::string complaint(const Sizes& sizes) const = 0;
 
     Materials materials;
 };

@@ -23,6 +23,12 @@ struct alignas(32) ContactBatch {
     float least[lanes];  ///< of impacts: impulse that restitution gives at least, once compression is over [kg m/s]
 };
 
+/// What a batch has besides where the law resists rolling.
+struct alignas(32) RollingBatch {
+    float arm[lanes];        ///< Response::rolling_arm [m]
+    float couple[3][lanes];  ///< on j [kg m2/s]
+};
+
 /// What the passes do not need.
 struct BatchNotes {
     int owner[lanes];         ///< body that remembers the impulse; any, in an empty lane

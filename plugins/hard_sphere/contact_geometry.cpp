@@ -28,9 +28,10 @@ INTERPHASE_INLINE D gained_along(const Push* push, const int* i, const int* j, c
     return dot(Three<D>{gained(0), gained(1), gained(2)}, normal);
 }
 
+/// `rolling`: of the batch, or null.
 template <class D>
-INTERPHASE_INLINE void start(Body* bodies, ContactBatch& batch, int first, Side<D>& a, Side<D>& b,
-                             const Three<D>& normal)
+INTERPHASE_INLINE void start(Body* bodies, ContactBatch& batch, RollingBatch* rolling, int first, Side<D>& a,
+                             Side<D>& b, const Three<D>& normal)
 {
     const Three<D> last = wide<width_of<D>>(batch.tangential, first);
     const D zero{}, along = dot(last, normal), kept = larger(along, zero);
@@ -38,13 +39,20 @@ INTERPHASE_INLINE void start(Body* bodies, ContactBatch& batch, int first, Side<
     const Three<D> tangential = if_positive(along, across, nothing), impulse = tangential + kept * normal;
     store(batch.impulse + first, kept);
     store(batch.tangential, first, tangential);
-    give(bodies, batch, first, a, b, normal, impulse);
+    exchange(batch, first, a, b, normal, impulse);
+    if (rolling) {
+        const Three<D> before = wide<width_of<D>>(rolling->couple, first);
+        const Three<D> rolls = before - dot(before, normal) * normal, couple = if_positive(along, rolls, nothing);
+        exchange_couple<D>(a, b, couple);
+        store(rolling->couple, first, couple);
+    }
+    store(bodies, batch, first, a, b);
 }
 
 /// The contacts of a batch from `first` on.
 template <int width>
-INTERPHASE_INLINE void fill(Bodies& bodies, ContactBatch& batch, BatchNotes& notes, int first, const StepLimits& limits,
-                            Overlap*& overlaps)
+INTERPHASE_INLINE void fill(Bodies& bodies, ContactBatch& batch, BatchNotes& notes, RollingBatch* rolling, int first,
+                            const StepLimits& limits, Overlap*& overlaps)
 {
     using D = Doubles<width>;
     const int *i = batch.i + first, *j = batch.j + first;
@@ -95,77 +103,78 @@ INTERPHASE_INLINE void fill(Bodies& bodies, ContactBatch& batch, BatchNotes& not
         overlaps += gaps[k] < 0;
     }
 
-    start(bodies.body.data(), batch, first, a, b, normal);
+    start(bodies.body.data(), batch, rolling, first, a, b, normal);
 }
 
-/// Batches of a cluster.
+/// Batches [first, last) of a cluster.
 struct Range {
-    std::size_t first, last, count;  ///< [first, last) of all [0, count)
+    Cluster& cluster;
+    std::size_t first, last;
 };
 
 template <int width>
-INTERPHASE_INLINE Overlap* fill_all(Bodies& bodies, ContactBatch* batches, BatchNotes* notes, const Range& range,
-                                    const StepLimits& limits, Overlap* overlaps)
+INTERPHASE_INLINE Overlap* fill_all(Bodies& bodies, const Range& range, const StepLimits& limits, Overlap* overlaps)
 {
+    std::vector<ContactBatch>& batches = range.cluster.batches;
+    const std::size_t count = range.cluster.places.count();
     for (std::size_t k = range.first; k < range.last; ++k) {
-        const ContactBatch& soon = batches[k + ahead < range.count ? k + ahead : k];
+        const ContactBatch& soon = batches[k + ahead < count ? k + ahead : k];
         fetch(bodies.path.data(), soon.i);
         fetch(bodies.path.data(), soon.j);
         fetch(bodies.body.data(), soon.i);
         fetch(bodies.body.data(), soon.j);
         fetch(bodies.push.data(), soon.j);
+        RollingBatch* rolling = range.cluster.rolling_of(k);
         for (int first = 0; first < lanes; first += width)
-            fill<width>(bodies, batches[k], notes[k], first, limits, overlaps);
+            fill<width>(bodies, batches[k], range.cluster.notes[k], rolling, first, limits, overlaps);
     }
     return overlaps;
 }
 
-INTERPHASE_WIDEST Overlap* by_eight(Bodies& bodies, ContactBatch* batches, BatchNotes* notes, const Range& range,
-                                    const StepLimits& limits, Overlap* overlaps)
+INTERPHASE_WIDEST Overlap* by_eight(Bodies& bodies, const Range& range, const StepLimits& limits, Overlap* overlaps)
 {
-    return fill_all<8>(bodies, batches, notes, range, limits, overlaps);
+    return fill_all<8>(bodies, range, limits, overlaps);
 }
 
-INTERPHASE_CLONES Overlap* by_four(Bodies& bodies, ContactBatch* batches, BatchNotes* notes, const Range& range,
-                                   const StepLimits& limits, Overlap* overlaps)
+INTERPHASE_CLONES Overlap* by_four(Bodies& bodies, const Range& range, const StepLimits& limits, Overlap* overlaps)
 {
-    return fill_all<4>(bodies, batches, notes, range, limits, overlaps);
+    return fill_all<4>(bodies, range, limits, overlaps);
 }
 
 /// The scalar.
-Overlap* by_one(Bodies& bodies, ContactBatch* batches, BatchNotes* notes, const Range& range, const StepLimits& limits,
-                Overlap* overlaps)
+Overlap* by_one(Bodies& bodies, const Range& range, const StepLimits& limits, Overlap* overlaps)
 {
-    return fill_all<1>(bodies, batches, notes, range, limits, overlaps);
+    return fill_all<1>(bodies, range, limits, overlaps);
 }
 
 }  // namespace
 
-void make_ready(Bodies& bodies, std::vector<ContactBatch>& batches, std::vector<BatchNotes>& notes, std::size_t count,
-                const AnyLaw& law, const StepLimits& limits, std::vector<Overlap>& overlaps, int width)
+void make_ready(Bodies& bodies, Cluster& cluster, const AnyLaw& law, const StepLimits& limits,
+                std::vector<Overlap>& overlaps, int width)
 {
     if (width == 0) width = best_width();
     const auto fill = width == 8 ? by_eight : width == 4 ? by_four : by_one;
+    const std::size_t count = cluster.places.count();
     constexpr std::size_t at_a_time = 32;  // the law finds them still near the processor
     for (std::size_t first = 0; first < count; first += at_a_time) {
         const std::size_t last = std::min(first + at_a_time, count), before = overlaps.size();
         overlaps.resize(before + lanes * (last - first) + 1);  // one is written even where none is
-        Overlap* end =
-            fill(bodies, batches.data(), notes.data(), {first, last, count}, limits, overlaps.data() + before);
+        Overlap* end = fill(bodies, {cluster, first, last}, limits, overlaps.data() + before);
         overlaps.resize(static_cast<std::size_t>(end - overlaps.data()));
-        law.respond(&batches[first], &notes[first], last - first, width);
+        law.respond(cluster, first, last, width);
     }
 }
 
 INTERPHASE_CLONES
-void start_from_memory(std::vector<Body>& bodies, std::vector<ContactBatch>& batches, std::size_t count)
+void start_from_memory(std::vector<Body>& bodies, Cluster& cluster)
 {
     constexpr int width = 4;
-    for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t k = 0; k < cluster.places.count(); ++k)
         for (int first = 0; first < lanes; first += width) {
-            ContactBatch& batch = batches[k];
+            ContactBatch& batch = cluster.batches[k];
             auto a = load<width>(bodies.data(), batch.i + first), b = load<width>(bodies.data(), batch.j + first);
-            start<Doubles<width>>(bodies.data(), batch, first, a, b, wide<width>(batch.normal, first));
+            start<Doubles<width>>(bodies.data(), batch, cluster.rolling_of(k), first, a, b,
+                                  wide<width>(batch.normal, first));
         }
 }
 

@@ -7,6 +7,7 @@
 
 #include "hard_sphere/collision.hpp"
 #include "hard_sphere/contact_geometry.hpp"
+#include "hard_sphere/impact.hpp"
 
 namespace interphase::hard_sphere {
 
@@ -70,8 +71,10 @@ void ContactSolver::start(Bodies& bodies, const PairSearch& pairs, std::vector<C
     binary_ = 0;
     cluster_contacts_ = 0;
     const std::size_t n = bodies.body.size();
-    walls_.places.start(n);
-    spheres_.places.start(n);
+    for (Cluster* cluster : {&walls_, &spheres_}) {
+        cluster->places.start(n);
+        cluster->rolls = law.rolls();
+    }
     overlaps_.clear();
     shift_.assign(n, Vector::Zero());
 
@@ -83,10 +86,10 @@ void ContactSolver::start(Bodies& bodies, const PairSearch& pairs, std::vector<C
         else if (has(in_cluster, contact.i))
             add_wall(bodies, contact, memory);
     }
-    start_from_memory(bodies.body, walls_.batches, walls_.places.count());
+    start_from_memory(bodies.body, walls_);
 
     add_pairs(bodies, pairs, law, limits, memory);
-    make_ready(bodies, spheres_.batches, spheres_.notes, spheres_.places.count(), law, limits, overlaps_);
+    make_ready(bodies, spheres_, law, limits, overlaps_);
 }
 
 void ContactSolver::add_pairs(Bodies& bodies, const PairSearch& pairs, const AnyLaw& law, const StepLimits& limits,
@@ -141,7 +144,7 @@ bool ContactSolver::takes_part(const Bodies& bodies, const Pair& pair) const
 {
     if (has(ghost_or_fixed, pair.i) || has(ghost_or_fixed, pair.j)) {
         const Label &a = bodies.label[at(pair.i)], &b = bodies.label[at(pair.j)];
-        if ((a.ghost && b.ghost) || (a.ghost != b.ghost && a.ghost == (a.id < b.id))) return false;
+        if (!resolves(a.id, a.ghost, b.id, b.ghost)) return false;
         if (a.fixed && b.fixed) return false;
     }
     return (pair.touch != 0) | both_have(in_cluster, pair);
@@ -194,6 +197,10 @@ void ContactSolver::resolve_binary(Bodies& bodies, const Contact& contact)
     if (impulse.isZero(0)) return;
     ++binary_;
     apply_impulse(a, b, contact.normal, impulse);
+    if (response.rolling_arm > 0) {
+        const double limit = response.rolling_arm * impulse.dot(contact.normal);
+        exchange_couple<double>(a, b, rolling_couple<double>(a, b, contact.normal, Vector::Zero(), limit));
+    }
     if (contact.impact && contact.touch_time > 0) {
         // up to the collision the bodies move as they came
         shift_[i] += contact.touch_time * (to_vector(bodies.body[i].velocity) - a.velocity);
@@ -213,13 +220,14 @@ BatchPlace ContactSolver::add(Cluster& cluster, const Bodies& bodies, int i, int
     const Remembered& last = memory.entry(remembered);
 
     const auto [k, lane] = cluster.places.place(i, j, a.fixed, b.fixed);
-    if (k >= cluster.batches.size()) {
-        cluster.batches.resize(2 * k + 64);
-        cluster.notes.resize(cluster.batches.size());
-    }
+    cluster.reach(k);
     ContactBatch& batch = cluster.batches[k];
     BatchNotes& notes = cluster.notes[k];
-    if (lane == 0) leave_empty(batch, notes, static_cast<int>(bodies.size()));
+    RollingBatch* rolling = cluster.rolling_of(k);
+    if (lane == 0) {
+        leave_empty(batch, notes, static_cast<int>(bodies.size()));
+        if (rolling) *rolling = {};
+    }
     ++cluster_contacts_;
     batch.i[lane] = i;
     batch.j[lane] = j;
@@ -228,6 +236,9 @@ BatchPlace ContactSolver::add(Cluster& cluster, const Bodies& bodies, int i, int
     const float sign = a_owns ? 1.0f : -1.0f;
     for (int axis = 0; axis < 3; ++axis)
         batch.tangential[axis][lane] = sign * last.impulse[axis];
+    if (rolling)
+        for (int axis = 0; axis < 3; ++axis)
+            rolling->couple[axis][lane] = sign * memory.more(remembered)[axis];
     // restitution is for bodies that meet, not for those that press on each other already
     notes.speed[lane] = static_cast<float>(remembered == 0);
     notes.materials[lane] = materials;
@@ -252,6 +263,7 @@ void ContactSolver::add_wall(const Bodies& bodies, const Contact& contact, const
     batch.bounce[lane] = bounces ? static_cast<float>(1 + response.restitution) : 0.0f;
     batch.tangential_bounce[lane] = static_cast<float>(1 + response.tangential_restitution);
     batch.friction[lane] = static_cast<float>(response.friction);
+    if (walls_.rolls) walls_.rolling[k].arm[lane] = static_cast<float>(response.rolling_arm);
     notes.touch_time[lane] = static_cast<float>(contact.touch_time);
 }
 
@@ -262,8 +274,7 @@ void ContactSolver::pass(std::vector<Body>& bodies, bool ends_forward)
     const bool forward = as_the_last == ends_forward;
     const Phase phase = k < release ? Phase::compression : k == release ? Phase::release : Phase::after_release;
     for (Cluster* cluster : {forward ? &walls_ : &spheres_, forward ? &spheres_ : &walls_})
-        sweep(bodies, cluster->batches, cluster->places.count(), forward ? Direction::forward : Direction::backward,
-              phase);
+        sweep(bodies, *cluster, forward ? Direction::forward : Direction::backward, phase);
 }
 
 double ContactSolver::separate(const Bodies& bodies, double share, double tolerated)
@@ -315,7 +326,10 @@ void ContactSolver::finish(const Cluster& cluster, const std::vector<int>& parti
             for (int axis = 0; axis < 3; ++axis)
                 entry.impulse[axis] =
                     sign * (batch.impulse[lane] * batch.normal[axis][lane] + batch.tangential[axis][lane]);
-            memory.add(particle[at(notes.owner[lane])], entry);
+            float* more = memory.add(particle[at(notes.owner[lane])], entry);
+            if (const RollingBatch* rolling = cluster.rolling_of(k))
+                for (int axis = 0; axis < 3; ++axis)
+                    more[axis] = sign * rolling->couple[axis][lane];
         }
     }
 }

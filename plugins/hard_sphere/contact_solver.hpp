@@ -6,10 +6,9 @@
 #include <vector>
 
 #include "hard_sphere/any_law.hpp"
-#include "hard_sphere/batch_builder.hpp"
 #include "hard_sphere/bodies.hpp"
+#include "hard_sphere/cluster.hpp"
 #include "hard_sphere/contact.hpp"
-#include "hard_sphere/contact_batch.hpp"
 #include "hard_sphere/impulse_memory.hpp"
 #include "hard_sphere/pair_search.hpp"
 #include "hard_sphere/sweep.hpp"
@@ -57,12 +56,6 @@ public:
     std::size_t cluster_contacts() const { return cluster_contacts_; }
 
 private:
-    /// Contacts of clusters. The vectors only grow; the builder knows what is in use.
-    struct Cluster {
-        BatchBuilder places;
-        std::vector<ContactBatch> batches;
-        std::vector<BatchNotes> notes;
-    };
     struct Impact {
         const ContactBatch* batch;
         int lane;

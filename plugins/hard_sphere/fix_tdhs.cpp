@@ -38,7 +38,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 FixTdhs::FixTdhs(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg, std::unique_ptr<AnyLaw> law)
-    : Fix(lmp, narg, arg), law_(std::move(law)), ghosts_(*lmp, 4)
+    : Fix(lmp, narg, arg), law_(std::move(law)), ghosts_(*lmp, 4), memory_(law_->rolls() ? 3 : 0)
 {
     if (!atom->sphere_flag) complain("the particles are no spheres; use atom_style granular");
     time_integrate = 1;
@@ -137,6 +137,7 @@ void FixTdhs::init()
 
     ghosts_.begin();
     measure_spheres();
+    check_law();
     sizes_change_ = contacts::sizes_change(*lmp);
     script::sort_by_default(*lmp, 4 * ghosts_.largest_radius());
 }
@@ -198,6 +199,7 @@ void FixTdhs::final_integrate()
 {
     const TinyIsZero in_this_step;
     add_forces();
+    if (range_ > 0) attract();
     choose_parts();
     resolve_contacts();
     cost_.switch_to(Part::outside);

@@ -70,7 +70,7 @@ private:
     static const std::vector<ShownValue>& shown_values();
 
     /// Of messages.hpp, the one that LIGGGHTS is asked to pass on.
-    enum class Message { sizes, start, counts, motion, shift };
+    enum class Message { sizes, pulls, start, counts, motion, shift };
 
     /// Ends the run; the message begins with the style. Collective.
     void complain(const std::string& what) const;
@@ -80,7 +80,11 @@ private:
     void measure_spheres();
     void collect_walls();
     void ask_gravity();
+    void check_law();
     void add_forces();
+    void attract();
+    void find_attractions();
+    void find_attractions_of_walls();
     void gather();
     void gather(int first, int last);
     void choose_effort();
@@ -133,6 +137,10 @@ private:
     contacts::GhostReach ghosts_;  ///< as far away as a pair may be that meets within one step
     double smallest_radius_ = 0;   ///< [m]
     bool sizes_change_ = false;    ///< while the run goes on
+
+    double range_ = 0;  ///< of the law's attraction; 0: it has none [m]
+    std::vector<Attraction> attractions_;
+    Scalars pulls_;  ///< impulses by these [atoms, ghosts included, x 3, kg m/s]
 
     Scalars push_;   ///< [atoms x 3]
     Scalars shift_;  ///< not yet in the positions [atoms x 3, m]

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What fix tdhs takes from the script, and what it does not bear beside it.
+#include <cfenv>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -61,6 +62,18 @@ void FixTdhs::read_arguments(int narg, char** arg)
                      "resting_speed, too_fast");
         }
     }
+}
+
+/// Before anything moves, with the spheres there are or will be. Every rank asks the same.
+void FixTdhs::check_law()
+{
+    const bool any = smallest_radius_ < 1e300;
+    std::fenv_t traps;  // a division by 0 is to be told in words
+    std::feholdexcept(&traps);
+    const std::string wrong = law_->complaint({any ? smallest_radius_ : 1e-3, any ? ghosts_.largest_radius() : 1e-3});
+    range_ = law_->longest_range();
+    std::fesetenv(&traps);
+    if (!wrong.empty()) complain(wrong);
 }
 
 void FixTdhs::choose_effort()

@@ -20,11 +20,21 @@
 ///         ...
 ///     };
 ///
-/// Functions, all of (materials, meeting); a law has those that it wants, the first one at least:
+/// Functions of (materials, meeting); a law has those that it wants, the first one at least:
 ///
 ///     restitution             e_n of an impact, 0 to 1; asked of contacts at rest, too, and not heeded there
 ///     tangential_restitution  e_t of a sticking impact, 0 to 1; without it 0
 ///     friction                mu, 0 or more; without it 0
+///     rolling_friction        mu_r, 0 or more: a couple up to mu_r r_e J_n opposes that the two roll over each other,
+///     r_e
+///                             the effective radius, J_n the normal impulse (model A of Ai et al., Powder Technol. 206
+///                             (2011) 269, of which the couple at rest is whatever holds); without it none
+///
+/// And of (materials, Separation), for one contact at a time, where bodies draw each other:
+///
+///     attraction              the force [N], added to the others; above 0 draws the two to each other. Of bodies that
+///                             overlap, too
+///     range                   of (materials): the gap up to which it acts, at most the smallest diameter [m]
 namespace interphase::hard_sphere {
 
 /// A number that a law reads for each pair of types: `fix ID all property/global NAME peratomtypepair ...`.
@@ -39,6 +49,17 @@ struct Meeting {
     D speed;   ///< with which the surfaces approach each other when they touch; 0: no impact [m/s]
     D mass;    ///< effective, m_i m_j/(m_i + m_j), m_i at a wall [kg]
     D radius;  ///< effective, r_i r_j/(r_i + r_j), r_i at a wall [m]
+};
+
+/// What an attraction sees.
+struct Separation {
+    double gap;     ///< between the surfaces, below 0: overlap [m]
+    double radius;  ///< effective, as in Meeting [m]
+};
+
+/// The spheres that there are [m].
+struct Sizes {
+    double smallest, largest;  ///< radii
 };
 
 /// The law of `tdhs`: all of it numbers of the materials (eqs. 10 and 11 of the paper).

@@ -1,33 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstring>
 #include <iterator>
-#include <utility>
+#include <string>
 #include <vector>
 
 #include "hard_sphere/any_law.hpp"
 #include "hard_sphere/lanes.hpp"
+#include "hard_sphere/law_check.hpp"
+#include "hard_sphere/law_functions.hpp"
 
 namespace interphase::hard_sphere {
-
-/// Which of the functions that it may leave out a law has.
-template <class Law, class = void>
-struct HasTangentialRestitution : std::false_type {};
-template <class Law, class = void>
-struct HasFriction : std::false_type {};
-
-#define INTERPHASE_LAW_MAY_HAVE(Trait, function)                                                                   \
-    template <class Law>                                                                                           \
-    struct Trait<Law, std::void_t<decltype(Law::function(std::declval<typename Law::template Materials<double>>(), \
-                                                         std::declval<Meeting<double>>()))>> : std::true_type {};
-INTERPHASE_LAW_MAY_HAVE(HasTangentialRestitution, tangential_restitution)
-INTERPHASE_LAW_MAY_HAVE(HasFriction, friction)
-#undef INTERPHASE_LAW_MAY_HAVE
 
 /// The law as the solver asks it, compiled into loops over contacts.
 template <class Law>
 class LawOf final : public AnyLaw {
+    using F = LawFunctions<Law>;
     template <class D>
     using Of = typename Law::template Materials<D>;
     static constexpr int property_count = std::size(Law::properties);
@@ -51,42 +41,49 @@ public:
                                           1 / (bodies.body[i].inverse_mass + bodies.body[j].inverse_mass),
                                           effective_radius(r_i, r_j)};
             const auto between = load<1>(materials.numbers(), &contact->materials);
-            contact->response = {Law::restitution(between, meeting), tangential_restitution(between, meeting),
-                                 friction(between, meeting)};
+            contact->response = {F::restitution(between, meeting), F::tangential_restitution(between, meeting),
+                                 F::friction(between, meeting), meeting.radius * F::rolling_friction(between, meeting)};
         }
     }
 
-    void respond(ContactBatch* batches, const BatchNotes* notes, std::size_t count, int width) const override
+    void respond(Cluster& cluster, std::size_t first, std::size_t last, int width) const override
     {
         const auto all = width == 8 ? by_eight : width == 4 ? by_four : by_one;
-        all(materials.numbers(), batches, notes, count);
+        all(materials.numbers(), cluster, first, last);
+    }
+
+    bool rolls() const override { return F::rolls; }
+
+    double longest_range() const override
+    {
+        double longest = 0;
+        for (int pair = 0; pair < materials.types() * materials.types(); ++pair)
+            longest = std::max(longest, F::range(load<1>(materials.numbers(), &pair)));
+        return longest;
+    }
+
+    void attract(std::vector<Attraction>& attractions) const override
+    {
+        for (Attraction& pair : attractions) {
+            const auto between = load<1>(materials.numbers(), &pair.materials);
+            pair.force = pair.gap < F::range(between) ? F::attraction(between, {pair.gap, pair.radius}) : 0;
+        }
+    }
+
+    std::string complaint(const Sizes& sizes) const override
+    {
+        for (int a = 0; a < materials.types(); ++a)
+            for (int b = a; b < materials.types(); ++b) {
+                const int pair = materials.between(a, b);
+                const std::string wrong = complaint_of<Law>(load<1>(materials.numbers(), &pair), sizes);
+                if (!wrong.empty())
+                    return "between types " + std::to_string(a + 1) + " and " + std::to_string(b + 1) +
+                           " the law answers a " + wrong;
+            }
+        return "";
     }
 
 private:
-    template <class D>
-    INTERPHASE_INLINE static D tangential_restitution(const Of<D>& between, const Meeting<D>& meeting)
-    {
-        if constexpr (HasTangentialRestitution<Law>::value)
-            return Law::tangential_restitution(between, meeting);
-        else
-            return D{};
-    }
-
-    template <class D>
-    INTERPHASE_INLINE static D friction(const Of<D>& between, const Meeting<D>& meeting)
-    {
-        if constexpr (HasFriction<Law>::value)
-            return Law::friction(between, meeting);
-        else
-            return D{};
-    }
-
-    template <class D>
-    INTERPHASE_INLINE static D effective_radius(const D& a, const D& b)
-    {
-        return if_positive(b, D(a * b / (a + b + tiny)), a);
-    }
-
     /// What materials are of the contacts whose pairs of types are `pairs`.
     template <int width>
     INTERPHASE_INLINE static Of<Doubles<width>> load(const double* numbers, const int* pairs)
@@ -105,50 +102,52 @@ private:
         return between;
     }
 
-    /// The contacts of a batch from `first` on.
+    /// The contacts of batch `k` from `lane` on.
     template <int width>
-    INTERPHASE_INLINE static void respond(const double* numbers, ContactBatch& batch, const BatchNotes& notes,
-                                          int first)
+    INTERPHASE_INLINE static void respond(const double* numbers, Cluster& cluster, std::size_t k, int lane)
     {
         using D = Doubles<width>;
-        const D zero{}, one = zero + 1, mass = wide<width>(batch.mass + first);
-        const D radius = effective_radius<D>(wide<width>(batch.arm_i + first), wide<width>(batch.arm_j + first));
+        ContactBatch& batch = cluster.batches[k];
+        const BatchNotes& notes = cluster.notes[k];
+        const D zero{}, one = zero + 1, mass = wide<width>(batch.mass + lane);
+        const D radius = effective_radius<D>(wide<width>(batch.arm_i + lane), wide<width>(batch.arm_j + lane));
         // empty lanes have no mass, and a law may divide by it
-        const Meeting<D> meeting{wide<width>(notes.speed + first), if_positive(mass, mass, one),
+        const Meeting<D> meeting{wide<width>(notes.speed + lane), if_positive(mass, mass, one),
                                  if_positive(mass, radius, one)};
-        const auto between = load<width>(numbers, notes.materials + first);
-        const D bounce = 1 + Law::restitution(between, meeting);
-        store(batch.bounce + first, if_positive(meeting.speed, bounce, zero));
-        store(batch.tangential_bounce + first, D(1 + tangential_restitution(between, meeting)));
-        store(batch.friction + first, friction(between, meeting));
+        const auto between = load<width>(numbers, notes.materials + lane);
+        const D bounce = 1 + F::restitution(between, meeting);
+        store(batch.bounce + lane, if_positive(meeting.speed, bounce, zero));
+        store(batch.tangential_bounce + lane, D(1 + F::tangential_restitution(between, meeting)));
+        store(batch.friction + lane, F::friction(between, meeting));
+        if constexpr (F::rolls)
+            store(cluster.rolling[k].arm + lane, D(meeting.radius * F::rolling_friction(between, meeting)));
     }
 
     template <int width>
-    INTERPHASE_INLINE static void each(const double* numbers, ContactBatch* batches, const BatchNotes* notes,
-                                       std::size_t count)
+    INTERPHASE_INLINE static void each(const double* numbers, Cluster& cluster, std::size_t first, std::size_t last)
     {
-        for (std::size_t k = 0; k < count; ++k)
-            for (int first = 0; first < lanes; first += width)
-                respond<width>(numbers, batches[k], notes[k], first);
+        for (std::size_t k = first; k < last; ++k)
+            for (int lane = 0; lane < lanes; lane += width)
+                respond<width>(numbers, cluster, k, lane);
     }
 
     // A law's functions have to become part of these, whatever the author said of inlining: called from outside, they
     // would take and return vectors in the registers of another processor.
-    INTERPHASE_WIDEST INTERPHASE_FLATTEN static void by_eight(const double* numbers, ContactBatch* batches,
-                                                              const BatchNotes* notes, std::size_t count)
+    INTERPHASE_WIDEST INTERPHASE_FLATTEN static void by_eight(const double* numbers, Cluster& cluster,
+                                                              std::size_t first, std::size_t last)
     {
-        each<8>(numbers, batches, notes, count);
+        each<8>(numbers, cluster, first, last);
     }
 
-    INTERPHASE_CLONES INTERPHASE_FLATTEN static void by_four(const double* numbers, ContactBatch* batches,
-                                                             const BatchNotes* notes, std::size_t count)
+    INTERPHASE_CLONES INTERPHASE_FLATTEN static void by_four(const double* numbers, Cluster& cluster, std::size_t first,
+                                                             std::size_t last)
     {
-        each<4>(numbers, batches, notes, count);
+        each<4>(numbers, cluster, first, last);
     }
 
-    static void by_one(const double* numbers, ContactBatch* batches, const BatchNotes* notes, std::size_t count)
+    static void by_one(const double* numbers, Cluster& cluster, std::size_t first, std::size_t last)
     {
-        each<1>(numbers, batches, notes, count);
+        each<1>(numbers, cluster, first, last);
     }
 };
 

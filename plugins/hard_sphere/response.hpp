@@ -8,6 +8,7 @@ struct Response {
     double restitution = 1;             ///< e_n, 0 to 1
     double tangential_restitution = 1;  ///< e_t, 0 to 1, of a sticking contact
     double friction = 0;                ///< mu >= 0
+    double rolling_arm = 0;  ///< mu_r r_e >= 0: the largest couple against rolling, over the normal impulse [m]
 };
 
 }  // namespace interphase::hard_sphere
