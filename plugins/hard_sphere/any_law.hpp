@@ -19,7 +19,7 @@ class AnyLaw {
 public:
     virtual ~AnyLaw() = default;
 
-    virtual const std::vector<Property>& properties() const = 0;
+    virtual const std::vector<MaterialProperty>& properties() const = 0;
 
     /// Of a number of types; what they are is to be filled in.
     Materials& start(int types) { return materials = Materials(types, properties().size()); }

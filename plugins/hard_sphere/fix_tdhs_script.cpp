@@ -107,7 +107,7 @@ void FixTdhs::refuse_company()
 void FixTdhs::read_materials()
 {
     Materials& materials = law_->start(atom->ntypes);
-    const std::vector<Property>& properties = law_->properties();
+    const std::vector<MaterialProperty>& properties = law_->properties();
     for (std::size_t k = 0; k < properties.size(); ++k)
         script::read_between_types(
             *lmp, *this, properties[k].name, {properties[k].least, properties[k].most},

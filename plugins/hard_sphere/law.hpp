@@ -12,8 +12,8 @@
 ///         struct Materials {
 ///             D restitution, friction;
 ///         };
-///         static constexpr Property properties[] = {{"coefficientRestitution", 0, 1}, {"coefficientFriction", 0,
-///         1e30}};
+///         static constexpr MaterialProperty properties[] = {{"coefficientRestitution", 0, 1}, {"coefficientFriction",
+///         0, 1e30}};
 ///
 ///         template <class D>
 ///         static D restitution(const Materials<D>& materials, const Meeting<D>&) { return materials.restitution; }
@@ -38,7 +38,7 @@
 namespace interphase::hard_sphere {
 
 /// A number that a law reads for each pair of types: `fix ID all property/global NAME peratomtypepair ...`.
-struct Property {
+struct MaterialProperty {
     const char* name;
     double least, most;
 };
@@ -68,7 +68,7 @@ struct ConstantRestitution {
     struct Materials {
         D restitution, tangential_restitution, friction;
     };
-    static constexpr Property properties[] = {
+    static constexpr MaterialProperty properties[] = {
         {"coefficientRestitution", 0, 1}, {"tangentialRestitution", 0, 1}, {"coefficientFriction", 0, 1e30}};
 
     template <class D>

@@ -25,9 +25,9 @@ class LawOf final : public AnyLaw {
                   "Materials of a law has one number for each of its properties");
 
 public:
-    const std::vector<Property>& properties() const override
+    const std::vector<MaterialProperty>& properties() const override
     {
-        static const std::vector<Property> all(std::begin(Law::properties), std::end(Law::properties));
+        static const std::vector<MaterialProperty> all(std::begin(Law::properties), std::end(Law::properties));
         return all;
     }
 

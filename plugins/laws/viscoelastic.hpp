@@ -15,10 +15,10 @@ struct Viscoelastic {
         D dissipation;  ///< A [s]
         D tangential_restitution, friction;
     };
-    static constexpr hard_sphere::Property properties[] = {{"contactModulus", 1, 1e30},
-                                                           {"dissipativeTime", 0, 1e30},
-                                                           {"tangentialRestitution", 0, 1},
-                                                           {"coefficientFriction", 0, 1e30}};
+    static constexpr hard_sphere::MaterialProperty properties[] = {{"contactModulus", 1, 1e30},
+                                                                   {"dissipativeTime", 0, 1e30},
+                                                                   {"tangentialRestitution", 0, 1},
+                                                                   {"coefficientFriction", 0, 1e30}};
 
     /// The Pade approximant of Mueller and Poeschel, Phys. Rev. E 84 (2011) 021302, in
     /// v* = (1.5 A)^0.5 (rho/m)^0.2 v^0.1. Off the solution of the equation of motion by less than 0.001 for e above

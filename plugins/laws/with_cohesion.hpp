@@ -15,8 +15,8 @@ struct WithCohesion : Law {
         D work_of_adhesion;  ///< w [J/m2]
         D range;             ///< a [m]
     };
-    static constexpr auto properties = properties_with<Law>(hard_sphere::Property{"workOfAdhesion", 0, 1e30},
-                                                            hard_sphere::Property{"cohesionRange", 0, 1e30});
+    static constexpr auto properties = properties_with<Law>(hard_sphere::MaterialProperty{"workOfAdhesion", 0, 1e30},
+                                                            hard_sphere::MaterialProperty{"cohesionRange", 0, 1e30});
 
     static double attraction(const Materials<double>& materials, const hard_sphere::Separation& separation)
     {

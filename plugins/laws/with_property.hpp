@@ -13,9 +13,9 @@ namespace interphase::laws {
 template <class Law, class... More>
 constexpr auto properties_with(const More&... more)
 {
-    std::array<hard_sphere::Property, std::size(Law::properties) + sizeof...(More)> all{};
+    std::array<hard_sphere::MaterialProperty, std::size(Law::properties) + sizeof...(More)> all{};
     std::size_t k = 0;
-    for (const hard_sphere::Property& property : Law::properties)
+    for (const hard_sphere::MaterialProperty& property : Law::properties)
         all[k++] = property;
     ((all[k++] = more), ...);
     return all;

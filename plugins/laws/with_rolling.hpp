@@ -15,7 +15,7 @@ struct WithRolling : Law {
         D rolling_friction;  ///< mu_r, of the effective radius
     };
     static constexpr auto properties =
-        properties_with<Law>(hard_sphere::Property{"coefficientRollingFriction", 0, 1e30});
+        properties_with<Law>(hard_sphere::MaterialProperty{"coefficientRollingFriction", 0, 1e30});
 
     template <class D>
     static D rolling_friction(const Materials<D>& materials, const hard_sphere::Meeting<D>&)
