@@ -197,10 +197,7 @@ void ContactSolver::resolve_binary(Bodies& bodies, const Contact& contact)
     if (impulse.isZero(0)) return;
     ++binary_;
     apply_impulse(a, b, contact.normal, impulse);
-    if (response.rolling_arm > 0) {
-        const double limit = response.rolling_arm * impulse.dot(contact.normal);
-        exchange_couple<double>(a, b, rolling_couple<double>(a, b, contact.normal, Vector::Zero(), limit));
-    }
+    if (response.rolling_arm > 0) resist_rolling(a, b, contact.normal, impulse, response, contact.impact);
     if (contact.impact && contact.touch_time > 0) {
         // up to the collision the bodies move as they came
         shift_[i] += contact.touch_time * (to_vector(bodies.body[i].velocity) - a.velocity);
