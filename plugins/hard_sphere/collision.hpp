@@ -30,8 +30,8 @@ Vector contact_impulse(const Sphere& a, const Sphere& b, const Vector& normal, d
 /// spheres. (Eq. 11 prints `max`; with it friction would exceed its limit.) Zero for bodies that part.
 Vector collision_impulse(const Sphere& a, const Sphere& b, const Vector& normal, const Response& response);
 
-/// Gives the couple against rolling that goes with an `impulse` which both have got. What does not bounce may both stick
-/// and not roll: friction and couple are sought in turn then, each within its limit.
+/// Gives the couple against rolling that goes with an `impulse` which both have got. What does not bounce may both
+/// stick and not roll: friction and couple are sought in turn then, each within its limit.
 void resist_rolling(Sphere& a, Sphere& b, const Vector& normal, const Vector& impulse, const Response& response,
                     bool impact);
 

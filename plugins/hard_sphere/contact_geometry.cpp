@@ -28,8 +28,8 @@ INTERPHASE_INLINE D gained_along(const Push* push, const int* i, const int* j, c
     return dot(Three<D>{gained(0), gained(1), gained(2)}, normal);
 }
 
-/// `rolling`: of the batch, or null.
-template <class D>
+/// `rolling`: of the batch, where the law resists rolling.
+template <bool rolls, class D>
 INTERPHASE_INLINE void start(Body* bodies, ContactBatch& batch, RollingBatch* rolling, int first, Side<D>& a,
                              Side<D>& b, const Three<D>& normal)
 {
@@ -40,9 +40,10 @@ INTERPHASE_INLINE void start(Body* bodies, ContactBatch& batch, RollingBatch* ro
     store(batch.impulse + first, kept);
     store(batch.tangential, first, tangential);
     exchange(batch, first, a, b, normal, impulse);
-    if (rolling) {
+    if constexpr (rolls) {
         const Three<D> before = wide<width_of<D>>(rolling->couple, first);
-        const Three<D> rolls = before - dot(before, normal) * normal, couple = if_positive(along, rolls, nothing);
+        const Three<D> across_now = before - dot(before, normal) * normal;
+        const Three<D> couple = if_positive(along, across_now, nothing);
         exchange_couple<D>(a, b, couple);
         store(rolling->couple, first, couple);
     }
@@ -50,7 +51,7 @@ INTERPHASE_INLINE void start(Body* bodies, ContactBatch& batch, RollingBatch* ro
 }
 
 /// The contacts of a batch from `first` on.
-template <int width>
+template <int width, bool rolls>
 INTERPHASE_INLINE void fill(Bodies& bodies, ContactBatch& batch, BatchNotes& notes, RollingBatch* rolling, int first,
                             const StepLimits& limits, Overlap*& overlaps)
 {
@@ -103,7 +104,7 @@ INTERPHASE_INLINE void fill(Bodies& bodies, ContactBatch& batch, BatchNotes& not
         overlaps += gaps[k] < 0;
     }
 
-    start(bodies.body.data(), batch, rolling, first, a, b, normal);
+    start<rolls>(bodies.body.data(), batch, rolling, first, a, b, normal);
 }
 
 /// Batches [first, last) of a cluster.
@@ -112,7 +113,7 @@ struct Range {
     std::size_t first, last;
 };
 
-template <int width>
+template <int width, bool rolls>
 INTERPHASE_INLINE Overlap* fill_all(Bodies& bodies, const Range& range, const StepLimits& limits, Overlap* overlaps)
 {
     std::vector<ContactBatch>& batches = range.cluster.batches;
@@ -124,27 +125,49 @@ INTERPHASE_INLINE Overlap* fill_all(Bodies& bodies, const Range& range, const St
         fetch(bodies.body.data(), soon.i);
         fetch(bodies.body.data(), soon.j);
         fetch(bodies.push.data(), soon.j);
-        RollingBatch* rolling = range.cluster.rolling_of(k);
+        RollingBatch* rolling = rolls ? &range.cluster.rolling[k] : nullptr;
         for (int first = 0; first < lanes; first += width)
-            fill<width>(bodies, batches[k], range.cluster.notes[k], rolling, first, limits, overlaps);
+            fill<width, rolls>(bodies, batches[k], range.cluster.notes[k], rolling, first, limits, overlaps);
     }
     return overlaps;
 }
 
+template <bool rolls>
 INTERPHASE_WIDEST Overlap* by_eight(Bodies& bodies, const Range& range, const StepLimits& limits, Overlap* overlaps)
 {
-    return fill_all<8>(bodies, range, limits, overlaps);
+    return fill_all<8, rolls>(bodies, range, limits, overlaps);
 }
 
+template <bool rolls>
 INTERPHASE_CLONES Overlap* by_four(Bodies& bodies, const Range& range, const StepLimits& limits, Overlap* overlaps)
 {
-    return fill_all<4>(bodies, range, limits, overlaps);
+    return fill_all<4, rolls>(bodies, range, limits, overlaps);
 }
 
 /// The scalar.
+template <bool rolls>
 Overlap* by_one(Bodies& bodies, const Range& range, const StepLimits& limits, Overlap* overlaps)
 {
-    return fill_all<1>(bodies, range, limits, overlaps);
+    return fill_all<1, rolls>(bodies, range, limits, overlaps);
+}
+
+template <bool rolls>
+auto of_width(int width)
+{
+    return width == 8 ? by_eight<rolls> : width == 4 ? by_four<rolls> : by_one<rolls>;
+}
+
+template <bool rolls>
+INTERPHASE_CLONES void start_all(Body* bodies, Cluster& cluster)
+{
+    constexpr int width = 4;
+    for (std::size_t k = 0; k < cluster.places.count(); ++k)
+        for (int first = 0; first < lanes; first += width) {
+            ContactBatch& batch = cluster.batches[k];
+            auto a = load<width>(bodies, batch.i + first), b = load<width>(bodies, batch.j + first);
+            start<rolls>(bodies, batch, rolls ? &cluster.rolling[k] : nullptr, first, a, b,
+                         wide<width>(batch.normal, first));
+        }
 }
 
 }  // namespace
@@ -153,7 +176,7 @@ void make_ready(Bodies& bodies, Cluster& cluster, const AnyLaw& law, const StepL
                 std::vector<Overlap>& overlaps, int width)
 {
     if (width == 0) width = best_width();
-    const auto fill = width == 8 ? by_eight : width == 4 ? by_four : by_one;
+    const auto fill = cluster.rolls ? of_width<true>(width) : of_width<false>(width);
     const std::size_t count = cluster.places.count();
     constexpr std::size_t at_a_time = 32;  // the law finds them still near the processor
     for (std::size_t first = 0; first < count; first += at_a_time) {
@@ -165,17 +188,10 @@ void make_ready(Bodies& bodies, Cluster& cluster, const AnyLaw& law, const StepL
     }
 }
 
-INTERPHASE_CLONES
 void start_from_memory(std::vector<Body>& bodies, Cluster& cluster)
 {
-    constexpr int width = 4;
-    for (std::size_t k = 0; k < cluster.places.count(); ++k)
-        for (int first = 0; first < lanes; first += width) {
-            ContactBatch& batch = cluster.batches[k];
-            auto a = load<width>(bodies.data(), batch.i + first), b = load<width>(bodies.data(), batch.j + first);
-            start<Doubles<width>>(bodies.data(), batch, cluster.rolling_of(k), first, a, b,
-                                  wide<width>(batch.normal, first));
-        }
+    const auto go = cluster.rolls ? start_all<true> : start_all<false>;
+    go(bodies.data(), cluster);
 }
 
 }  // namespace interphase::hard_sphere

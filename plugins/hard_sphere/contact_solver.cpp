@@ -323,10 +323,11 @@ void ContactSolver::finish(const Cluster& cluster, const std::vector<int>& parti
             for (int axis = 0; axis < 3; ++axis)
                 entry.impulse[axis] =
                     sign * (batch.impulse[lane] * batch.normal[axis][lane] + batch.tangential[axis][lane]);
-            float* more = memory.add(particle[at(notes.owner[lane])], entry);
-            if (const RollingBatch* rolling = cluster.rolling_of(k))
-                for (int axis = 0; axis < 3; ++axis)
-                    more[axis] = sign * rolling->couple[axis][lane];
+            memory.add(particle[at(notes.owner[lane])], entry);
+            if (!cluster.rolls) continue;
+            float* couple = memory.add_more();
+            for (int axis = 0; axis < 3; ++axis)
+                couple[axis] = sign * cluster.rolling[k].couple[axis][lane];
         }
     }
 }

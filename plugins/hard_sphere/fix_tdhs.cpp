@@ -233,7 +233,7 @@ void FixTdhs::resolve_contacts()
         comm->forward_comm_fix(this);
     }
     cost_.switch_to(Part::search);
-    gather();
+    gather(reach_);
     pairs_.find(bodies_, grid_, limits_.step, limits_.margin, limits_.touching);
     cost_.switch_to(Part::walls);
     find_wall_contacts(bodies_, walls_, law_->materials, limits_, wall_contacts_);
@@ -275,13 +275,13 @@ void FixTdhs::add_forces()
     }
 }
 
-void FixTdhs::gather()
+void FixTdhs::gather(double reach)
 {
     const int count = atom->nlocal + atom->nghost;
     bodies_.resize(at(count));
     body_of_.resize(at(count));
     shared_.resize(at(count));
-    grid_.sort(count > 0 ? atom->x[0] : nullptr, atom->radius, at(count), reach_, up_axis_);
+    grid_.sort(count > 0 ? atom->x[0] : nullptr, atom->radius, at(count), reach, up_axis_);
     bodies_.coarse.start(grid_.low(), grid_.high());
     constexpr int block = 256;  // what is read twice is still near the processor then
     for (int first = 0; first < count; first += block) {

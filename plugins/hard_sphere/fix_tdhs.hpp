@@ -85,7 +85,7 @@ private:
     void attract();
     void find_attractions();
     void find_attractions_of_walls();
-    void gather();
+    void gather(double reach);
     void gather(int first, int last);
     void choose_effort();
     void choose_parts();

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The attraction of fix tdhs's law: a force over a range, whose impulse of a step is added with that of the other
 // forces, before contacts are resolved. These keep apart what touches.
-#include <mpi.h>
-
-#include <cmath>
-
 #include "atom.h"
 #include "comm.h"
 #include "hard_sphere/fix_tdhs.hpp"
@@ -59,29 +55,22 @@ void FixTdhs::attract()
     }
 }
 
+/// Of spheres where they are now: the search for pairs that meet, in a step of no time.
 void FixTdhs::find_attractions()
 {
-    const int count = atom->nlocal + atom->nghost;
-    if (count == 0) return;
-    grid_.sort(atom->x[0], atom->radius, at(count), range_, up_axis_);
-    const int* order = grid_.order().data();
-    const auto look = [&](int i, int j) {
-        const double reach = atom->radius[i] + atom->radius[j] + range_;
-        const Vector apart = to_vector(atom->x[j]) - to_vector(atom->x[i]);
-        const double squared = apart.squaredNorm();
-        if (squared >= reach * reach || squared == 0) return;
-        if (!((atom->mask[i] | atom->mask[j]) & groupbit)) return;
-        if (!resolves(atom->tag[i], i >= atom->nlocal, atom->tag[j], j >= atom->nlocal)) return;
-        const double distance = std::sqrt(squared);
-        attractions_.push_back({i, j, law_->materials.between(atom->type[i] - 1, atom->type[j] - 1),
-                                distance - atom->radius[i] - atom->radius[j],
-                                effective_radius(atom->radius[i], atom->radius[j]), apart / distance, 0});
-    };
-    grid_.candidates([&](int i, CellGrid::Range a, CellGrid::Range b) {
-        for (const CellGrid::Range& range : {a, b})
-            for (int j = range.first; j < range.last; ++j)
-                look(order[i], order[j]);
-    });
+    gather(range_);
+    pairs_.find(bodies_, grid_, 0, range_, range_);
+    const std::vector<int>& particle = grid_.order();
+    for (const Pair& pair : pairs_) {
+        const Label &a = bodies_.label[at(pair.i)], &b = bodies_.label[at(pair.j)];
+        if ((a.fixed && b.fixed) || !resolves(a.id, a.ghost, b.id, b.ghost)) continue;
+        const Place &from = bodies_.path[at(pair.i)].place, &to = bodies_.path[at(pair.j)].place;
+        const Vector apart = to_vector(to.centre) - to_vector(from.centre);
+        const double distance = apart.norm(), gap = distance - from.radius - to.radius;
+        if (gap >= range_ || distance == 0) continue;
+        attractions_.push_back({particle[at(pair.i)], particle[at(pair.j)], law_->materials.between(a.type, b.type),
+                                gap, effective_radius(from.radius, to.radius), apart / distance, 0});
+    }
 }
 
 void FixTdhs::find_attractions_of_walls()

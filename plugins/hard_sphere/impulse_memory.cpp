@@ -59,7 +59,9 @@ int ImpulseMemory::unpack(int particle, const double* buffer)
         read += hard_sphere::unpack(message, buffer + read);
         Remembered entry{static_cast<int>(message.partner)};
         set(entry.impulse, to_vector(message.impulse));
-        float* beside = add(particle, entry);
+        add(particle, entry);
+        if (more_ == 0) continue;
+        float* beside = add_more();
         for (std::size_t m = 0; m < more_; ++m)
             beside[m] = static_cast<float>(buffer[read++]);
     }

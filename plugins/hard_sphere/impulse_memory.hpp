@@ -44,14 +44,18 @@ public:
     /// Of all particles.
     void forget();
 
-    /// Returns where to write what it has beside.
-    float* add(int particle, Remembered entry)
+    void add(int particle, Remembered entry)
     {
         int& first = first_[static_cast<std::size_t>(particle)];
         entry.next = first;
         first = static_cast<int>(entries_.size());
         entries_.push_back(entry);
-        numbers_.resize(entries_.size() * more_);
+    }
+
+    /// Where to write what the entry that was just added has beside: zeros so far.
+    float* add_more()
+    {
+        numbers_.resize(entries_.size() * more_, 0.0f);
         return numbers_.data() + numbers_.size() - more_;
     }
 
