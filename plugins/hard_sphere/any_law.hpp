@@ -24,12 +24,15 @@ public:
     /// Of a number of types; what they are is to be filled in.
     Materials& start(int types) { return materials = Materials(types, properties().size()); }
 
-    /// Fills in what each contact's response is.
-    virtual void respond(const Bodies& bodies, Contact* first, const Contact* last) const = 0;
+    /// Fills in what each contact's response is, and renews its state. `step`: the step's length [s].
+    virtual void respond(const Bodies& bodies, Contact* first, const Contact* last, double step) const = 0;
 
     /// The same for the batches [first, last) of a cluster, which are ready but for it. `width`: how many contacts are
     /// taken at once.
-    virtual void respond(Cluster& cluster, std::size_t first, std::size_t last, int width) const = 0;
+    virtual void respond(Cluster& cluster, std::size_t first, std::size_t last, double step, int width) const = 0;
+
+    /// How many numbers the state of a contact has.
+    virtual int state_count() const = 0;
 
     /// Whether it resists rolling.
     virtual bool rolls() const = 0;

@@ -15,6 +15,8 @@ struct Cluster {
     std::vector<BatchNotes> notes;
     std::vector<RollingBatch> rolling;  ///< none where the law does not resist rolling
     bool rolls = false;                 ///< it does
+    std::vector<float> states;          ///< of the contacts [batches x state_count x lanes]
+    int state_count = 0;                ///< numbers of each
 
     /// Makes room for batch `k`.
     void reach(std::size_t k)
@@ -23,6 +25,17 @@ struct Cluster {
         batches.resize(2 * k + 64);
         notes.resize(batches.size());
         if (rolls) rolling.resize(batches.size());
+        if (state_count > 0) states.resize(batches.size() * static_cast<std::size_t>(state_count * lanes));
+    }
+
+    /// Number `s` of the states of batch `k`. [lanes]
+    float* state(std::size_t k, int s)
+    {
+        return &states[(k * static_cast<std::size_t>(state_count) + static_cast<std::size_t>(s)) * lanes];
+    }
+    const float* state(std::size_t k, int s) const
+    {
+        return &states[(k * static_cast<std::size_t>(state_count) + static_cast<std::size_t>(s)) * lanes];
     }
 
     RollingBatch* rolling_of(std::size_t k) { return rolls ? &rolling[k] : nullptr; }

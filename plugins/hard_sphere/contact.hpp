@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "base/vector.hpp"
 #include "hard_sphere/bodies.hpp"
+#include "hard_sphere/law.hpp"
 #include "hard_sphere/material.hpp"
 #include "hard_sphere/pair_search.hpp"
 #include "hard_sphere/response.hpp"
@@ -14,18 +16,19 @@ namespace interphase::hard_sphere {
 
 /// Two bodies that may touch within this step.
 struct Contact {
-    int i, j;             ///< places in Bodies; j may be a wall's
-    Vector normal;        ///< from i to j, where they touch or are nearest on their paths without contact
-    double gap;           ///< between the surfaces at the start of the step, below 0: overlap [m]
-    double closing;       ///< they touch within this step if they approach each other faster than this [m/s]
-    bool touch;           ///< within the step, or all but so
-    bool impact;          ///< they will touch, and fast enough for restitution
-    double touch_time;    ///< of an impact: when within the step [s]
-    double speed;         ///< of an impact: approach at the moment of touching [m/s]
-    double later;         ///< of an impact: what forces added to the normal velocity apart from then to mid-step [m/s]
-    int materials;        ///< which pair of types, Materials::between
-    int key;              ///< of a wall's contact, below 0: what its impulse is remembered under; 0 between two spheres
-    Response response{};  ///< by the law
+    int i, j;           ///< places in Bodies; j may be a wall's
+    Vector normal;      ///< from i to j, where they touch or are nearest on their paths without contact
+    double gap;         ///< between the surfaces at the start of the step, below 0: overlap [m]
+    double closing;     ///< they touch within this step if they approach each other faster than this [m/s]
+    bool touch;         ///< within the step, or all but so
+    bool impact;        ///< they will touch, and fast enough for restitution
+    double touch_time;  ///< of an impact: when within the step [s]
+    double speed;       ///< of an impact: approach at the moment of touching [m/s]
+    double later;       ///< of an impact: what forces added to the normal velocity apart from then to mid-step [m/s]
+    int materials;      ///< which pair of types, Materials::between
+    int key;            ///< of a wall's contact, below 0: what its impulse is remembered under; 0 between two spheres
+    std::array<double, most_states> state{};  ///< the contact's own; the law renews it
+    Response response{};                      ///< by the law
 };
 
 /// Whether, when and where two spheres meet is solved for exactly, along their straight paths within the step; for

@@ -184,7 +184,7 @@ void make_ready(Bodies& bodies, Cluster& cluster, const AnyLaw& law, const StepL
         overlaps.resize(before + lanes * (last - first) + 1);  // one is written even where none is
         Overlap* end = fill(bodies, {cluster, first, last}, limits, overlaps.data() + before);
         overlaps.resize(static_cast<std::size_t>(end - overlaps.data()));
-        law.respond(cluster, first, last, width);
+        law.respond(cluster, first, last, limits.step, width);
     }
 }
 

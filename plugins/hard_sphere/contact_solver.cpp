@@ -74,11 +74,14 @@ void ContactSolver::start(Bodies& bodies, const PairSearch& pairs, std::vector<C
     for (Cluster* cluster : {&walls_, &spheres_}) {
         cluster->places.start(n);
         cluster->rolls = law.rolls();
+        cluster->state_count = law.state_count();
     }
     overlaps_.clear();
     shift_.assign(n, Vector::Zero());
 
-    law.respond(bodies, walls.data(), walls.data() + walls.size());
+    binary_states_.clear();
+    recall(bodies, walls, law, memory);
+    law.respond(bodies, walls.data(), walls.data() + walls.size(), step_);
     for (const Contact& contact : walls) {
         if (contact.gap < 0) overlaps_.push_back(overlap_of(contact));
         if (contact.touch && has(touches_one, contact.i))
@@ -106,7 +109,7 @@ void ContactSolver::add_pairs(Bodies& bodies, const PairSearch& pairs, const Any
         binary += part & alone;
     }
 
-    resolve_binary(bodies, binary_pairs_.data(), binary, law, limits);
+    resolve_binary(bodies, binary_pairs_.data(), binary, law, limits, memory);
 
     const std::size_t count = static_cast<std::size_t>(clustered - cluster_pairs_.data());
     const auto label_of_j = [&](std::size_t k) -> const Label& {
@@ -167,8 +170,27 @@ std::vector<std::uint8_t>& ContactSolver::count_users(const Bodies& bodies, cons
     return users_;
 }
 
+void ContactSolver::recall(const Bodies& bodies, std::vector<Contact>& contacts, const AnyLaw& law,
+                           const ImpulseMemory& memory) const
+{
+    const int count = law.state_count();
+    if (count == 0) return;
+    for (Contact& contact : contacts) {
+        const auto [owner, partner] = keeper(bodies, contact.i, contact.j, contact.key);
+        const float* more = memory.more(memory.find(bodies.label[at(owner)].remembered, partner));
+        std::copy_n(more + (law.rolls() ? 3 : 0), count, contact.state.data());
+    }
+}
+
+ContactSolver::Keeper ContactSolver::keeper(const Bodies& bodies, int i, int j, int key)
+{
+    if (key < 0) return {i, key};
+    const Label &a = bodies.label[at(i)], &b = bodies.label[at(j)];
+    return a.id < b.id ? Keeper{i, b.id} : Keeper{j, a.id};
+}
+
 void ContactSolver::resolve_binary(Bodies& bodies, const Pair* first, const Pair* last, const AnyLaw& law,
-                                   const StepLimits& limits)
+                                   const StepLimits& limits, const ImpulseMemory& memory)
 {
     constexpr std::ptrdiff_t at_a_time = 64;  // the law and the collision find them still near the processor
     binary_contacts_.reserve(at_a_time);
@@ -176,7 +198,8 @@ void ContactSolver::resolve_binary(Bodies& bodies, const Pair* first, const Pair
         binary_contacts_.clear();
         for (const Pair* pair = first; pair != first + std::min(at_a_time, last - first); ++pair)
             binary_contacts_.push_back(contact_of_spheres(bodies, *pair, law.materials, limits));
-        law.respond(bodies, binary_contacts_.data(), binary_contacts_.data() + binary_contacts_.size());
+        recall(bodies, binary_contacts_, law, memory);
+        law.respond(bodies, binary_contacts_.data(), binary_contacts_.data() + binary_contacts_.size(), limits.step);
         for (const Contact& contact : binary_contacts_) {
             if (contact.gap < 0) overlaps_.push_back(overlap_of(contact));
             resolve_binary(bodies, contact);
@@ -196,6 +219,8 @@ void ContactSolver::resolve_binary(Bodies& bodies, const Contact& contact)
                                            contact.impact ? response.tangential_restitution : 0.0, response.friction);
     if (impulse.isZero(0)) return;
     ++binary_;
+    if (walls_.state_count > 0 && !contact.impact)
+        binary_states_.push_back({keeper(bodies, contact.i, contact.j, contact.key), contact.state});
     apply_impulse(a, b, contact.normal, impulse);
     if (response.rolling_arm > 0) resist_rolling(a, b, contact.normal, impulse, response, contact.impact);
     if (contact.impact && contact.touch_time > 0) {
@@ -211,8 +236,8 @@ BatchPlace ContactSolver::add(Cluster& cluster, const Bodies& bodies, int i, int
                               const ImpulseMemory& memory)
 {
     const Label &a = bodies.label[at(i)], &b = bodies.label[at(j)];
-    const bool a_owns = key < 0 || a.id < b.id;
-    const int partner = key < 0 ? key : a_owns ? b.id : a.id;
+    const auto [owner, partner] = keeper(bodies, i, j, key);
+    const bool a_owns = owner == i;
     const int remembered = memory.find(a_owns ? a.remembered : b.remembered, partner);
     const Remembered& last = memory.entry(remembered);
 
@@ -224,11 +249,13 @@ BatchPlace ContactSolver::add(Cluster& cluster, const Bodies& bodies, int i, int
     if (lane == 0) {
         leave_empty(batch, notes, static_cast<int>(bodies.size()));
         if (rolling) *rolling = {};
+        for (int s = 0; s < cluster.state_count; ++s)
+            std::fill_n(cluster.state(k, s), lanes, 0.0f);
     }
     ++cluster_contacts_;
     batch.i[lane] = i;
     batch.j[lane] = j;
-    notes.owner[lane] = a_owns ? i : j;
+    notes.owner[lane] = owner;
     notes.partner[lane] = partner;
     const float sign = a_owns ? 1.0f : -1.0f;
     for (int axis = 0; axis < 3; ++axis)
@@ -236,6 +263,8 @@ BatchPlace ContactSolver::add(Cluster& cluster, const Bodies& bodies, int i, int
     if (rolling)
         for (int axis = 0; axis < 3; ++axis)
             rolling->couple[axis][lane] = sign * memory.more(remembered)[axis];
+    for (int s = 0; s < cluster.state_count; ++s)
+        cluster.state(k, s)[lane] = memory.more(remembered)[(rolling ? 3 : 0) + s];
     // restitution is for bodies that meet, not for those that press on each other already
     notes.speed[lane] = static_cast<float>(remembered == 0);
     notes.materials[lane] = materials;
@@ -261,6 +290,8 @@ void ContactSolver::add_wall(const Bodies& bodies, const Contact& contact, const
     batch.tangential_bounce[lane] = static_cast<float>(1 + response.tangential_restitution);
     batch.friction[lane] = static_cast<float>(response.friction);
     if (walls_.rolls) walls_.rolling[k].arm[lane] = static_cast<float>(response.rolling_arm);
+    for (int s = 0; s < walls_.state_count; ++s)
+        walls_.state(k, s)[lane] = static_cast<float>(contact.state[static_cast<std::size_t>(s)]);
     notes.touch_time[lane] = static_cast<float>(contact.touch_time);
 }
 
@@ -303,6 +334,10 @@ void ContactSolver::finish(const Bodies& bodies, const std::vector<int>& particl
     memory.forget();
     finish(walls_, particle, memory);
     finish(spheres_, particle, memory);
+    for (const BinaryState& kept : binary_states_) {
+        memory.add(particle[at(kept.keeper.owner)], Remembered{kept.keeper.partner});
+        std::copy_n(kept.state.data(), walls_.state_count, memory.add_more() + (walls_.rolls ? 3 : 0));
+    }
     delay_impacts(bodies);
 }
 
@@ -324,10 +359,13 @@ void ContactSolver::finish(const Cluster& cluster, const std::vector<int>& parti
                 entry.impulse[axis] =
                     sign * (batch.impulse[lane] * batch.normal[axis][lane] + batch.tangential[axis][lane]);
             memory.add(particle[at(notes.owner[lane])], entry);
-            if (!cluster.rolls) continue;
-            float* couple = memory.add_more();
-            for (int axis = 0; axis < 3; ++axis)
-                couple[axis] = sign * cluster.rolling[k].couple[axis][lane];
+            if (!cluster.rolls && cluster.state_count == 0) continue;
+            float* more = memory.add_more();
+            if (cluster.rolls)
+                for (int axis = 0; axis < 3; ++axis)
+                    *more++ = sign * cluster.rolling[k].couple[axis][lane];
+            for (int s = 0; s < cluster.state_count; ++s)
+                *more++ = cluster.state(k, s)[lane];
         }
     }
 }

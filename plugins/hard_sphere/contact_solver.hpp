@@ -71,7 +71,17 @@ private:
     void add_pairs(Bodies& bodies, const PairSearch& pairs, const AnyLaw& law, const StepLimits& limits,
                    const ImpulseMemory& memory);
     void resolve_binary(Bodies& bodies, const Pair* first, const Pair* last, const AnyLaw& law,
-                        const StepLimits& limits);
+                        const StepLimits& limits, const ImpulseMemory& memory);
+
+    /// Which of the two bodies remembers their contact, and under what.
+    struct Keeper {
+        int owner, partner;
+    };
+    static Keeper keeper(const Bodies& bodies, int i, int j, int key);
+
+    /// Fills in what the contacts' states were in the last step.
+    void recall(const Bodies& bodies, std::vector<Contact>& contacts, const AnyLaw& law,
+                const ImpulseMemory& memory) const;
     void resolve_binary(Bodies& bodies, const Contact& contact);
     BatchPlace add(Cluster& cluster, const Bodies& bodies, int i, int j, int key, int materials,
                    const ImpulseMemory& memory);
@@ -90,6 +100,11 @@ private:
     std::vector<std::uint8_t> pushes_;                   ///< contacts that gave the body an impulse, at most 2
     std::vector<Pair> cluster_pairs_, binary_pairs_;     ///< of spheres, those that take part
     std::vector<Contact> binary_contacts_;
+    struct BinaryState {
+        Keeper keeper;
+        std::array<double, most_states> state;
+    };
+    std::vector<BinaryState> binary_states_;  ///< of those that last
     std::vector<Impact> impacts_;
 };
 

@@ -38,7 +38,10 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 FixTdhs::FixTdhs(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg, std::unique_ptr<AnyLaw> law)
-    : Fix(lmp, narg, arg), law_(std::move(law)), ghosts_(*lmp, 4), memory_(law_->rolls() ? 3 : 0)
+    : Fix(lmp, narg, arg),
+      law_(std::move(law)),
+      ghosts_(*lmp, 4),
+      memory_(static_cast<std::size_t>((law_->rolls() ? 3 : 0) + law_->state_count()))
 {
     if (!atom->sphere_flag) complain("the particles are no spheres; use atom_style granular");
     time_integrate = 1;

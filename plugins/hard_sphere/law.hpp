@@ -30,6 +30,15 @@
 ///                             the effective radius, J_n the normal impulse (model A of Ai et al., Powder Technol. 206
 ///                             (2011) 269, of which the couple at rest is whatever holds); without it none
 ///
+/// A contact may have a state of its own, numbers that are 0 where it begins and that its law renews in each step. It
+/// lasts as long as the contact passes on an impulse, travels between ranks and stands in checkpoints:
+///
+///     template <class D> struct State { D age; };       at most most_states numbers
+///     next                    of (last, materials, meeting, step): the State in this step, `step` its length [s]
+///
+/// The functions above then are of (materials, meeting, state). Of an impact of two that touch nothing else there is
+/// nothing to keep.
+///
 /// And of (materials, Separation), for one contact at a time, where bodies draw each other:
 ///
 ///     attraction              the force [N], added to the others; above 0 draws the two to each other. Of bodies that
@@ -50,6 +59,9 @@ struct Meeting {
     D mass;    ///< effective, m_i m_j/(m_i + m_j), m_i at a wall [kg]
     D radius;  ///< effective, r_i r_j/(r_i + r_j), r_i at a wall [m]
 };
+
+/// How many numbers a State may have.
+constexpr int most_states = 4;
 
 /// What an attraction sees.
 struct Separation {

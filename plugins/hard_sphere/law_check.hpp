@@ -22,6 +22,7 @@ std::string complaint_of(const typename Law::template Materials<double>& materia
              {0.5 * light * third * std::pow(sizes.smallest, 3), heavy * third * std::pow(sizes.largest, 3)})
             for (double exponent = -7; exponent <= 3; exponent += 0.25) {
                 const Meeting<double> meeting{exponent < -6 ? 0 : std::pow(10, exponent), mass, radius};
+                const auto state = F::next({}, materials, meeting, 1e-4);
                 const auto beyond = [&](const char* name, double value, double most) -> std::string {
                     if (value >= 0 && value <= most) return "";
                     return std::string(name) + " of " + text(value) + " at an approach of " + text(meeting.speed) +
@@ -29,10 +30,10 @@ std::string complaint_of(const typename Law::template Materials<double>& materia
                            " m; it must be a number from 0 " + (most > 1 ? "on" : "to 1");
                 };
                 for (const std::string& found :
-                     {beyond("restitution", F::restitution(materials, meeting), 1),
-                      beyond("tangential_restitution", F::tangential_restitution(materials, meeting), 1),
-                      beyond("friction", F::friction(materials, meeting), 1e30),
-                      beyond("rolling_friction", F::rolling_friction(materials, meeting), 1e30)})
+                     {beyond("restitution", F::restitution(materials, meeting, state), 1),
+                      beyond("tangential_restitution", F::tangential_restitution(materials, meeting, state), 1),
+                      beyond("friction", F::friction(materials, meeting, state), 1e30),
+                      beyond("rolling_friction", F::rolling_friction(materials, meeting, state), 1e30)})
                     if (!found.empty()) return found;
             }
     if constexpr (F::attracts) {

@@ -21,6 +21,10 @@ class LawOf final : public AnyLaw {
     template <class D>
     using Of = typename Law::template Materials<D>;
     static constexpr int property_count = std::size(Law::properties);
+    template <class D>
+    using State = typename F::template State<D>;
+    static constexpr int states = F::has_state ? sizeof(State<double>) / sizeof(double) : 0;
+    static_assert(states <= most_states, "a State of a law has at most most_states numbers");
     static_assert(sizeof(Of<double>) == property_count * sizeof(double),
                   "Materials of a law has one number for each of its properties");
 
@@ -31,7 +35,7 @@ public:
         return all;
     }
 
-    void respond(const Bodies& bodies, Contact* first, const Contact* last) const override
+    void respond(const Bodies& bodies, Contact* first, const Contact* last, double step) const override
     {
         for (Contact* contact = first; contact != last; ++contact) {
             const auto i = static_cast<std::size_t>(contact->i), j = static_cast<std::size_t>(contact->j);
@@ -41,16 +45,23 @@ public:
                                           1 / (bodies.body[i].inverse_mass + bodies.body[j].inverse_mass),
                                           effective_radius(r_i, r_j)};
             const auto between = load<1>(materials.numbers(), &contact->materials);
-            contact->response = {F::restitution(between, meeting), F::tangential_restitution(between, meeting),
-                                 F::friction(between, meeting), meeting.radius * F::rolling_friction(between, meeting)};
+            State<double> state;
+            if constexpr (F::has_state) std::memcpy(&state, contact->state.data(), sizeof state);
+            state = F::next(state, between, meeting, step);
+            if constexpr (F::has_state) std::memcpy(contact->state.data(), &state, sizeof state);
+            contact->response = {
+                F::restitution(between, meeting, state), F::tangential_restitution(between, meeting, state),
+                F::friction(between, meeting, state), meeting.radius * F::rolling_friction(between, meeting, state)};
         }
     }
 
-    void respond(Cluster& cluster, std::size_t first, std::size_t last, int width) const override
+    void respond(Cluster& cluster, std::size_t first, std::size_t last, double step, int width) const override
     {
         const auto all = width == 8 ? by_eight : width == 4 ? by_four : by_one;
-        all(materials.numbers(), cluster, first, last);
+        all(materials.numbers(), cluster, first, last, step);
     }
+
+    int state_count() const override { return states; }
 
     bool rolls() const override { return F::rolls; }
 
@@ -102,9 +113,29 @@ private:
         return between;
     }
 
+    template <int width>
+    INTERPHASE_INLINE static State<Doubles<width>> renew(Cluster& cluster, std::size_t k, int lane,
+                                                         const Of<Doubles<width>>& between,
+                                                         const Meeting<Doubles<width>>& meeting, double step)
+    {
+        using D = Doubles<width>;
+        State<D> state;
+        if constexpr (F::has_state) {
+            D values[states];
+            for (int s = 0; s < states; ++s)
+                values[s] = wide<width>(cluster.state(k, s) + lane);
+            std::memcpy(&state, values, sizeof state);
+            state = F::next(state, between, meeting, step);
+            std::memcpy(values, &state, sizeof state);
+            for (int s = 0; s < states; ++s)
+                store(cluster.state(k, s) + lane, values[s]);
+        }
+        return state;
+    }
+
     /// The contacts of batch `k` from `lane` on.
     template <int width>
-    INTERPHASE_INLINE static void respond(const double* numbers, Cluster& cluster, std::size_t k, int lane)
+    INTERPHASE_INLINE static void respond(const double* numbers, Cluster& cluster, std::size_t k, int lane, double step)
     {
         using D = Doubles<width>;
         ContactBatch& batch = cluster.batches[k];
@@ -115,39 +146,41 @@ private:
         const Meeting<D> meeting{wide<width>(notes.speed + lane), if_positive(mass, mass, one),
                                  if_positive(mass, radius, one)};
         const auto between = load<width>(numbers, notes.materials + lane);
-        const D bounce = 1 + F::restitution(between, meeting);
+        const State<D> state = renew<width>(cluster, k, lane, between, meeting, step);
+        const D bounce = 1 + F::restitution(between, meeting, state);
         store(batch.bounce + lane, if_positive(meeting.speed, bounce, zero));
-        store(batch.tangential_bounce + lane, D(1 + F::tangential_restitution(between, meeting)));
-        store(batch.friction + lane, F::friction(between, meeting));
+        store(batch.tangential_bounce + lane, D(1 + F::tangential_restitution(between, meeting, state)));
+        store(batch.friction + lane, F::friction(between, meeting, state));
         if constexpr (F::rolls)
-            store(cluster.rolling[k].arm + lane, D(meeting.radius * F::rolling_friction(between, meeting)));
+            store(cluster.rolling[k].arm + lane, D(meeting.radius * F::rolling_friction(between, meeting, state)));
     }
 
     template <int width>
-    INTERPHASE_INLINE static void each(const double* numbers, Cluster& cluster, std::size_t first, std::size_t last)
+    INTERPHASE_INLINE static void each(const double* numbers, Cluster& cluster, std::size_t first, std::size_t last,
+                                       double step)
     {
         for (std::size_t k = first; k < last; ++k)
             for (int lane = 0; lane < lanes; lane += width)
-                respond<width>(numbers, cluster, k, lane);
+                respond<width>(numbers, cluster, k, lane, step);
     }
 
     // A law's functions have to become part of these, whatever the author said of inlining: called from outside, they
     // would take and return vectors in the registers of another processor.
     INTERPHASE_WIDEST INTERPHASE_FLATTEN static void by_eight(const double* numbers, Cluster& cluster,
-                                                              std::size_t first, std::size_t last)
+                                                              std::size_t first, std::size_t last, double step)
     {
-        each<8>(numbers, cluster, first, last);
+        each<8>(numbers, cluster, first, last, step);
     }
 
     INTERPHASE_CLONES INTERPHASE_FLATTEN static void by_four(const double* numbers, Cluster& cluster, std::size_t first,
-                                                             std::size_t last)
+                                                             std::size_t last, double step)
     {
-        each<4>(numbers, cluster, first, last);
+        each<4>(numbers, cluster, first, last, step);
     }
 
-    static void by_one(const double* numbers, Cluster& cluster, std::size_t first, std::size_t last)
+    static void by_one(const double* numbers, Cluster& cluster, std::size_t first, std::size_t last, double step)
     {
-        each<1>(numbers, cluster, first, last);
+        each<1>(numbers, cluster, first, last, step);
     }
 };
 

@@ -3,9 +3,10 @@
 
 import os
 
-from hard_spheres import Scene
+from hard_spheres import BUILD, Scene
 
 LAWS = os.path.join("plugins", "liblaws.so")
+AGING = os.path.join(BUILD, "tests", "plugins", "libaging.so")  # a law whose contacts have a state
 GRAVITY = 9.81
 
 
