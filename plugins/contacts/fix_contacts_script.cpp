@@ -50,7 +50,7 @@ void FixContacts::init()
 BetweenTypes FixContacts::between_types(const char* name, const std::function<bool(double)>& holds, const char* demand)
 {
     BetweenTypes values(atom->ntypes);
-    script::read_between_types(*lmp, *this, name, 1e300, [&](int a, int b, double value) {
+    script::read_between_types(*lmp, *this, name, {0, script::unbounded}, [&](int a, int b, double value) {
         if (!holds(value))
             complain("fix property/global " + std::string(name) + " is " + std::to_string(value) + " between types " +
                      std::to_string(a + 1) + " and " + std::to_string(b + 1) + "; " + demand);

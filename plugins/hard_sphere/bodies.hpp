@@ -61,6 +61,12 @@ struct Label {
     int remembered = 0;  ///< the first of its entries in ImpulseMemory
 };
 
+/// A pair across two ranks is resolved by the one that owns the lower id; each of them asks.
+inline bool resolves(int id_a, bool ghost_a, int id_b, bool ghost_b)
+{
+    return ghost_a == ghost_b ? !ghost_a : ghost_a != (id_a < id_b);
+}
+
 /// The spheres of one rank, ghosts included. All arrays have one more, of resting walls; `body` may have those of
 /// moving walls behind it.
 struct Bodies {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/vector.hpp"
-#include "hard_sphere/material.hpp"
+#include "hard_sphere/response.hpp"
 
 namespace interphase::hard_sphere {
 
@@ -28,7 +28,12 @@ Vector contact_impulse(const Sphere& a, const Sphere& b, const Vector& normal, d
 /// Hoomans et al., Chem. Eng. Sci. 51 (1996) 99). Normal: -m_e (1 + e_n) v_n. Tangential, against v_t: the smaller of
 /// the sticking impulse m_t (1 + e_t) |v_t| and the Coulomb limit mu m_e (1 + e_n) |v_n|; m_t = 2/7 m_e for solid
 /// spheres. (Eq. 11 prints `max`; with it friction would exceed its limit.) Zero for bodies that part.
-Vector collision_impulse(const Sphere& a, const Sphere& b, const Vector& normal, const ContactLaw& law);
+Vector collision_impulse(const Sphere& a, const Sphere& b, const Vector& normal, const Response& response);
+
+/// Gives the couple against rolling that goes with an `impulse` which both have got. What does not bounce may both
+/// stick and not roll: friction and couple are sought in turn then, each within its limit.
+void resist_rolling(Sphere& a, Sphere& b, const Vector& normal, const Vector& impulse, const Response& response,
+                    bool impact);
 
 /// Gives the impulse to both (eqs. 12 to 15).
 void apply_impulse(Sphere& a, Sphere& b, const Vector& normal, const Vector& impulse);

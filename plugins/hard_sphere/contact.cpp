@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hard_sphere/contact.hpp"
 
-#include <algorithm>
-
 #include "hard_sphere/impact.hpp"
 
 namespace interphase::hard_sphere {
@@ -14,7 +12,8 @@ void judge_impact(Contact& contact, const Vector& meeting, const Vector& push, c
         approach(contact.touch_time, dot(meeting, contact.normal), dot(push, contact.normal), step, limits);
     if (met.speed <= met.least) return;
     contact.impact = true;
-    contact.parting = std::max(0.0, contact.law->restitution * met.speed - met.later);
+    contact.speed = met.speed;
+    contact.later = met.later;
 }
 
 double relieving_speed(double gap, const StepLimits& limits)
@@ -32,8 +31,8 @@ Contact contact_of_spheres(const Bodies& bodies, const Pair& pair, const Materia
     const Encounter<double> met = encounter(apart, meeting, touching, limits.step);
     const Vector normal = met.apart / met.distance;
     const double closing = closing_speed(met, touching, meeting.dot(normal), Divisor<double>(limits.step), limits);
-    const ContactLaw& law = materials.between(bodies.label[a].type, bodies.label[b].type);
-    Contact contact{pair.i, pair.j, normal, met.gap, closing, pair.touch == 1, false, met.time, 0, &law, 0};
+    const int types = materials.between(bodies.label[a].type, bodies.label[b].type);
+    Contact contact{pair.i, pair.j, normal, met.gap, closing, pair.touch == 1, false, met.time, 0, 0, types, 0};
     if (met.touch > 0)
         judge_impact(contact, meeting, to_vector(bodies.push[b].change) - to_vector(bodies.push[a].change), limits);
     return contact;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "base/vector.hpp"
 #include "hard_sphere/bodies.hpp"
+#include "hard_sphere/law.hpp"
 #include "hard_sphere/material.hpp"
 #include "hard_sphere/pair_search.hpp"
+#include "hard_sphere/response.hpp"
 #include "hard_sphere/step_limits.hpp"
 
 namespace interphase::hard_sphere {
@@ -20,9 +23,12 @@ struct Contact {
     bool touch;         ///< within the step, or all but so
     bool impact;        ///< they will touch, and fast enough for restitution
     double touch_time;  ///< of an impact: when within the step [s]
-    double parting;     ///< of an impact: the normal velocity to part with [m/s]
-    const ContactLaw* law;
-    int key;  ///< of a wall's contact, below 0: what its impulse is remembered under; 0 between two spheres
+    double speed;       ///< of an impact: approach at the moment of touching [m/s]
+    double later;       ///< of an impact: what forces added to the normal velocity apart from then to mid-step [m/s]
+    int materials;      ///< which pair of types, Materials::between
+    int key;            ///< of a wall's contact, below 0: what its impulse is remembered under; 0 between two spheres
+    std::array<double, most_states> state{};  ///< the contact's own; the law renews it
+    Response response{};                      ///< by the law
 };
 
 /// Whether, when and where two spheres meet is solved for exactly, along their straight paths within the step; for

@@ -23,11 +23,20 @@ struct alignas(32) ContactBatch {
     float least[lanes];  ///< of impacts: impulse that restitution gives at least, once compression is over [kg m/s]
 };
 
+/// What a batch has besides where the law resists rolling.
+struct alignas(32) RollingBatch {
+    float arm[lanes];        ///< Response::rolling_arm [m]
+    float couple[3][lanes];  ///< on j [kg m2/s]
+};
+
 /// What the passes do not need.
 struct BatchNotes {
     int owner[lanes];         ///< body that remembers the impulse; any, in an empty lane
     int partner[lanes];       ///< what it remembers it under
     float touch_time[lanes];  ///< of impacts: when within the step [s]
+    int materials[lanes];     ///< which pair of types, Materials::between
+    float speed[lanes];  ///< of impacts: approach at the moment of touching; 0: no impact [m/s]. Before contacts are
+                         ///< ready: 1 where there may be an impact
 };
 
 /// Two bodies that overlap at the start of the step.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hard_sphere/contact_geometry.hpp"
 
+#include <algorithm>
+
 #include "hard_sphere/lanes.hpp"
 
 namespace interphase::hard_sphere {
@@ -26,9 +28,10 @@ INTERPHASE_INLINE D gained_along(const Push* push, const int* i, const int* j, c
     return dot(Three<D>{gained(0), gained(1), gained(2)}, normal);
 }
 
-template <class D>
-INTERPHASE_INLINE void start(Body* bodies, ContactBatch& batch, int first, Side<D>& a, Side<D>& b,
-                             const Three<D>& normal)
+/// `rolling`: of the batch, where the law resists rolling.
+template <bool rolls, class D>
+INTERPHASE_INLINE void start(Body* bodies, ContactBatch& batch, RollingBatch* rolling, int first, Side<D>& a,
+                             Side<D>& b, const Three<D>& normal)
 {
     const Three<D> last = wide<width_of<D>>(batch.tangential, first);
     const D zero{}, along = dot(last, normal), kept = larger(along, zero);
@@ -36,13 +39,21 @@ INTERPHASE_INLINE void start(Body* bodies, ContactBatch& batch, int first, Side<
     const Three<D> tangential = if_positive(along, across, nothing), impulse = tangential + kept * normal;
     store(batch.impulse + first, kept);
     store(batch.tangential, first, tangential);
-    give(bodies, batch, first, a, b, normal, impulse);
+    exchange(batch, first, a, b, normal, impulse);
+    if constexpr (rolls) {
+        const Three<D> before = wide<width_of<D>>(rolling->couple, first);
+        const Three<D> across_now = before - dot(before, normal) * normal;
+        const Three<D> couple = if_positive(along, across_now, nothing);
+        exchange_couple<D>(a, b, couple);
+        store(rolling->couple, first, couple);
+    }
+    store(bodies, batch, first, a, b);
 }
 
 /// The contacts of a batch from `first` on.
-template <int width>
-INTERPHASE_INLINE void fill(Bodies& bodies, ContactBatch& batch, BatchNotes& notes, int first, const StepLimits& limits,
-                            Overlap*& overlaps)
+template <int width, bool rolls>
+INTERPHASE_INLINE void fill(Bodies& bodies, ContactBatch& batch, BatchNotes& notes, RollingBatch* rolling, int first,
+                            const StepLimits& limits, Overlap*& overlaps)
 {
     using D = Doubles<width>;
     const int *i = batch.i + first, *j = batch.j + first;
@@ -77,8 +88,8 @@ INTERPHASE_INLINE void fill(Bodies& bodies, ContactBatch& batch, BatchNotes& not
 
     const D gained = gained_along<D>(bodies.push.data(), i, j, normal);
     const Approach<D> fast = approach(met.time, speed, gained, step, limits);
-    const D bounce = if_negative(D(fast.least - fast.speed), wide<width>(batch.bounce + first), zero);
-    store(batch.bounce + first, D(met.touch * bounce));
+    const D bounces = if_negative(D(fast.least - fast.speed), wide<width>(notes.speed + first), zero);
+    store(notes.speed + first, D(met.touch * bounces * fast.speed));
     store(notes.touch_time + first, met.time);
 
     const D shorter = 0.5 * smaller(met.gap, zero);
@@ -93,68 +104,94 @@ INTERPHASE_INLINE void fill(Bodies& bodies, ContactBatch& batch, BatchNotes& not
         overlaps += gaps[k] < 0;
     }
 
-    start(bodies.body.data(), batch, first, a, b, normal);
+    start<rolls>(bodies.body.data(), batch, rolling, first, a, b, normal);
 }
 
-template <int width>
-INTERPHASE_INLINE Overlap* fill_all(Bodies& bodies, ContactBatch* batches, BatchNotes* notes, std::size_t count,
-                                    const StepLimits& limits, Overlap* overlaps)
+/// Batches [first, last) of a cluster.
+struct Range {
+    Cluster& cluster;
+    std::size_t first, last;
+};
+
+template <int width, bool rolls>
+INTERPHASE_INLINE Overlap* fill_all(Bodies& bodies, const Range& range, const StepLimits& limits, Overlap* overlaps)
 {
-    for (std::size_t k = 0; k < count; ++k) {
+    std::vector<ContactBatch>& batches = range.cluster.batches;
+    const std::size_t count = range.cluster.places.count();
+    for (std::size_t k = range.first; k < range.last; ++k) {
         const ContactBatch& soon = batches[k + ahead < count ? k + ahead : k];
         fetch(bodies.path.data(), soon.i);
         fetch(bodies.path.data(), soon.j);
         fetch(bodies.body.data(), soon.i);
         fetch(bodies.body.data(), soon.j);
         fetch(bodies.push.data(), soon.j);
+        RollingBatch* rolling = rolls ? &range.cluster.rolling[k] : nullptr;
         for (int first = 0; first < lanes; first += width)
-            fill<width>(bodies, batches[k], notes[k], first, limits, overlaps);
+            fill<width, rolls>(bodies, batches[k], range.cluster.notes[k], rolling, first, limits, overlaps);
     }
     return overlaps;
 }
 
-INTERPHASE_WIDEST Overlap* by_eight(Bodies& bodies, ContactBatch* batches, BatchNotes* notes, std::size_t count,
-                                    const StepLimits& limits, Overlap* overlaps)
+template <bool rolls>
+INTERPHASE_WIDEST Overlap* by_eight(Bodies& bodies, const Range& range, const StepLimits& limits, Overlap* overlaps)
 {
-    return fill_all<8>(bodies, batches, notes, count, limits, overlaps);
+    return fill_all<8, rolls>(bodies, range, limits, overlaps);
 }
 
-INTERPHASE_CLONES Overlap* by_four(Bodies& bodies, ContactBatch* batches, BatchNotes* notes, std::size_t count,
-                                   const StepLimits& limits, Overlap* overlaps)
+template <bool rolls>
+INTERPHASE_CLONES Overlap* by_four(Bodies& bodies, const Range& range, const StepLimits& limits, Overlap* overlaps)
 {
-    return fill_all<4>(bodies, batches, notes, count, limits, overlaps);
+    return fill_all<4, rolls>(bodies, range, limits, overlaps);
 }
 
 /// The scalar.
-Overlap* by_one(Bodies& bodies, ContactBatch* batches, BatchNotes* notes, std::size_t count, const StepLimits& limits,
-                Overlap* overlaps)
+template <bool rolls>
+Overlap* by_one(Bodies& bodies, const Range& range, const StepLimits& limits, Overlap* overlaps)
 {
-    return fill_all<1>(bodies, batches, notes, count, limits, overlaps);
+    return fill_all<1, rolls>(bodies, range, limits, overlaps);
+}
+
+template <bool rolls>
+auto of_width(int width)
+{
+    return width == 8 ? by_eight<rolls> : width == 4 ? by_four<rolls> : by_one<rolls>;
+}
+
+template <bool rolls>
+INTERPHASE_CLONES void start_all(Body* bodies, Cluster& cluster)
+{
+    constexpr int width = 4;
+    for (std::size_t k = 0; k < cluster.places.count(); ++k)
+        for (int first = 0; first < lanes; first += width) {
+            ContactBatch& batch = cluster.batches[k];
+            auto a = load<width>(bodies, batch.i + first), b = load<width>(bodies, batch.j + first);
+            start<rolls>(bodies, batch, rolls ? &cluster.rolling[k] : nullptr, first, a, b,
+                         wide<width>(batch.normal, first));
+        }
 }
 
 }  // namespace
 
-void make_ready(Bodies& bodies, std::vector<ContactBatch>& batches, std::vector<BatchNotes>& notes, std::size_t count,
-                const StepLimits& limits, std::vector<Overlap>& overlaps, int width)
+void make_ready(Bodies& bodies, Cluster& cluster, const AnyLaw& law, const StepLimits& limits,
+                std::vector<Overlap>& overlaps, int width)
 {
     if (width == 0) width = best_width();
-    const std::size_t before = overlaps.size();
-    overlaps.resize(before + lanes * count + 1);  // one is written even where none is
-    const auto fill = width == 8 ? by_eight : width == 4 ? by_four : by_one;
-    Overlap* end = fill(bodies, batches.data(), notes.data(), count, limits, overlaps.data() + before);
-    overlaps.resize(static_cast<std::size_t>(end - overlaps.data()));
+    const auto fill = cluster.rolls ? of_width<true>(width) : of_width<false>(width);
+    const std::size_t count = cluster.places.count();
+    constexpr std::size_t at_a_time = 32;  // the law finds them still near the processor
+    for (std::size_t first = 0; first < count; first += at_a_time) {
+        const std::size_t last = std::min(first + at_a_time, count), before = overlaps.size();
+        overlaps.resize(before + lanes * (last - first) + 1);  // one is written even where none is
+        Overlap* end = fill(bodies, {cluster, first, last}, limits, overlaps.data() + before);
+        overlaps.resize(static_cast<std::size_t>(end - overlaps.data()));
+        law.respond(cluster, first, last, limits.step, width);
+    }
 }
 
-INTERPHASE_CLONES
-void start_from_memory(std::vector<Body>& bodies, std::vector<ContactBatch>& batches, std::size_t count)
+void start_from_memory(std::vector<Body>& bodies, Cluster& cluster)
 {
-    constexpr int width = 4;
-    for (std::size_t k = 0; k < count; ++k)
-        for (int first = 0; first < lanes; first += width) {
-            ContactBatch& batch = batches[k];
-            auto a = load<width>(bodies.data(), batch.i + first), b = load<width>(bodies.data(), batch.j + first);
-            start<Doubles<width>>(bodies.data(), batch, first, a, b, wide<width>(batch.normal, first));
-        }
+    const auto go = cluster.rolls ? start_all<true> : start_all<false>;
+    go(bodies.data(), cluster);
 }
 
 }  // namespace interphase::hard_sphere

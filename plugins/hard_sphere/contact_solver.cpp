@@ -7,12 +7,13 @@
 
 #include "hard_sphere/collision.hpp"
 #include "hard_sphere/contact_geometry.hpp"
+#include "hard_sphere/impact.hpp"
 
 namespace interphase::hard_sphere {
 
 namespace {
 
-constexpr int ahead = 12;  // pairs, overlaps
+constexpr int ahead = 12;  // pairs
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -44,10 +45,11 @@ void leave_empty(ContactBatch& batch, BatchNotes& notes, int resting_walls)
     for (int lane = 0; lane < lanes; ++lane) {
         batch.i[lane] = batch.j[lane] = resting_walls;
         notes.owner[lane] = 0;
-        batch.friction[lane] = 0;
+        notes.materials[lane] = 0;
+        notes.speed[lane] = 0;
         for (int axis = 0; axis < 3; ++axis)
             batch.tangential[axis][lane] = 0;
-        batch.bounce[lane] = batch.tangential_bounce[lane] = 0;
+        batch.friction[lane] = batch.bounce[lane] = batch.tangential_bounce[lane] = 0;
     }
 }
 
@@ -60,8 +62,8 @@ Overlap overlap_of(const Contact& contact)
 
 }  // namespace
 
-void ContactSolver::start(Bodies& bodies, const PairSearch& pairs, const std::vector<Contact>& walls,
-                          const Materials& materials, const StepLimits& limits, const ImpulseMemory& memory, int passes)
+void ContactSolver::start(Bodies& bodies, const PairSearch& pairs, std::vector<Contact>& walls, const AnyLaw& law,
+                          const StepLimits& limits, const ImpulseMemory& memory, int passes)
 {
     step_ = limits.step;
     passes_ = 0;
@@ -69,11 +71,17 @@ void ContactSolver::start(Bodies& bodies, const PairSearch& pairs, const std::ve
     binary_ = 0;
     cluster_contacts_ = 0;
     const std::size_t n = bodies.body.size();
-    walls_.places.start(n);
-    spheres_.places.start(n);
+    for (Cluster* cluster : {&walls_, &spheres_}) {
+        cluster->places.start(n);
+        cluster->rolls = law.rolls();
+        cluster->state_count = law.state_count();
+    }
     overlaps_.clear();
     shift_.assign(n, Vector::Zero());
 
+    binary_states_.clear();
+    recall(bodies, walls, law, memory);
+    law.respond(bodies, walls.data(), walls.data() + walls.size(), step_);
     for (const Contact& contact : walls) {
         if (contact.gap < 0) overlaps_.push_back(overlap_of(contact));
         if (contact.touch && has(touches_one, contact.i))
@@ -81,14 +89,14 @@ void ContactSolver::start(Bodies& bodies, const PairSearch& pairs, const std::ve
         else if (has(in_cluster, contact.i))
             add_wall(bodies, contact, memory);
     }
-    start_from_memory(bodies.body, walls_.batches, walls_.places.count());
+    start_from_memory(bodies.body, walls_);
 
-    add_pairs(bodies, pairs, materials, limits, memory);
-    make_ready(bodies, spheres_.batches, spheres_.notes, spheres_.places.count(), limits, overlaps_);
+    add_pairs(bodies, pairs, law, limits, memory);
+    make_ready(bodies, spheres_, law, limits, overlaps_);
 }
 
-void ContactSolver::add_pairs(Bodies& bodies, const PairSearch& pairs, const Materials& materials,
-                              const StepLimits& limits, const ImpulseMemory& memory)
+void ContactSolver::add_pairs(Bodies& bodies, const PairSearch& pairs, const AnyLaw& law, const StepLimits& limits,
+                              const ImpulseMemory& memory)
 {
     const auto most = static_cast<std::size_t>(pairs.end() - pairs.begin());
     if (cluster_pairs_.size() < most) cluster_pairs_.resize(most);
@@ -101,11 +109,7 @@ void ContactSolver::add_pairs(Bodies& bodies, const PairSearch& pairs, const Mat
         binary += part & alone;
     }
 
-    for (const Pair* pair = binary_pairs_.data(); pair != binary; ++pair) {
-        const Contact contact = contact_of_spheres(bodies, *pair, materials, limits);
-        if (contact.gap < 0) overlaps_.push_back(overlap_of(contact));
-        resolve_binary(bodies, contact);
-    }
+    resolve_binary(bodies, binary_pairs_.data(), binary, law, limits, memory);
 
     const std::size_t count = static_cast<std::size_t>(clustered - cluster_pairs_.data());
     const auto label_of_j = [&](std::size_t k) -> const Label& {
@@ -115,8 +119,8 @@ void ContactSolver::add_pairs(Bodies& bodies, const PairSearch& pairs, const Mat
         const auto [i, j, touch] = cluster_pairs_[k];
         __builtin_prefetch(&label_of_j(k + 2 * ahead));
         memory.fetch(label_of_j(k + ahead).remembered);
-        const ContactLaw& law = materials.between(bodies.label[at(i)].type, bodies.label[at(j)].type);
-        add(spheres_, bodies, i, j, 0, law, memory);
+        const int materials = law.materials.between(bodies.label[at(i)].type, bodies.label[at(j)].type);
+        add(spheres_, bodies, i, j, 0, materials, memory);
     }
 }
 
@@ -143,7 +147,7 @@ bool ContactSolver::takes_part(const Bodies& bodies, const Pair& pair) const
 {
     if (has(ghost_or_fixed, pair.i) || has(ghost_or_fixed, pair.j)) {
         const Label &a = bodies.label[at(pair.i)], &b = bodies.label[at(pair.j)];
-        if ((a.ghost && b.ghost) || (a.ghost != b.ghost && a.ghost == (a.id < b.id))) return false;
+        if (!resolves(a.id, a.ghost, b.id, b.ghost)) return false;
         if (a.fixed && b.fixed) return false;
     }
     return (pair.touch != 0) | both_have(in_cluster, pair);
@@ -166,18 +170,59 @@ std::vector<std::uint8_t>& ContactSolver::count_users(const Bodies& bodies, cons
     return users_;
 }
 
+void ContactSolver::recall(const Bodies& bodies, std::vector<Contact>& contacts, const AnyLaw& law,
+                           const ImpulseMemory& memory) const
+{
+    const int count = law.state_count();
+    if (count == 0) return;
+    for (Contact& contact : contacts) {
+        const auto [owner, partner] = keeper(bodies, contact.i, contact.j, contact.key);
+        const float* more = memory.more(memory.find(bodies.label[at(owner)].remembered, partner));
+        std::copy_n(more + (law.rolls() ? 3 : 0), count, contact.state.data());
+    }
+}
+
+ContactSolver::Keeper ContactSolver::keeper(const Bodies& bodies, int i, int j, int key)
+{
+    if (key < 0) return {i, key};
+    const Label &a = bodies.label[at(i)], &b = bodies.label[at(j)];
+    return a.id < b.id ? Keeper{i, b.id} : Keeper{j, a.id};
+}
+
+void ContactSolver::resolve_binary(Bodies& bodies, const Pair* first, const Pair* last, const AnyLaw& law,
+                                   const StepLimits& limits, const ImpulseMemory& memory)
+{
+    constexpr std::ptrdiff_t at_a_time = 64;  // the law and the collision find them still near the processor
+    binary_contacts_.reserve(at_a_time);
+    for (; first != last; first += std::min(at_a_time, last - first)) {
+        binary_contacts_.clear();
+        for (const Pair* pair = first; pair != first + std::min(at_a_time, last - first); ++pair)
+            binary_contacts_.push_back(contact_of_spheres(bodies, *pair, law.materials, limits));
+        recall(bodies, binary_contacts_, law, memory);
+        law.respond(bodies, binary_contacts_.data(), binary_contacts_.data() + binary_contacts_.size(), limits.step);
+        for (const Contact& contact : binary_contacts_) {
+            if (contact.gap < 0) overlaps_.push_back(overlap_of(contact));
+            resolve_binary(bodies, contact);
+        }
+    }
+}
+
 void ContactSolver::resolve_binary(Bodies& bodies, const Contact& contact)
 {
+    const Response& response = contact.response;
     const auto i = at(contact.i), j = at(contact.j);
     const auto [arm_i, arm_j] = arms(bodies, contact);
     Sphere a = sphere(bodies.body[i], arm_i), b = sphere(bodies.body[j], arm_j);
-    const double parting = contact.impact ? contact.parting : -contact.closing;
-    const Vector impulse =
-        contact_impulse(a, b, contact.normal, parting, contact.impact ? contact.law->tangential_restitution : 0.0,
-                        contact.law->friction);
+    const double parting =
+        contact.impact ? std::max(0.0, response.restitution * contact.speed - contact.later) : -contact.closing;
+    const Vector impulse = contact_impulse(a, b, contact.normal, parting,
+                                           contact.impact ? response.tangential_restitution : 0.0, response.friction);
     if (impulse.isZero(0)) return;
     ++binary_;
+    if (walls_.state_count > 0 && !contact.impact)
+        binary_states_.push_back({keeper(bodies, contact.i, contact.j, contact.key), contact.state});
     apply_impulse(a, b, contact.normal, impulse);
+    if (response.rolling_arm > 0) resist_rolling(a, b, contact.normal, impulse, response, contact.impact);
     if (contact.impact && contact.touch_time > 0) {
         // up to the collision the bodies move as they came
         shift_[i] += contact.touch_time * (to_vector(bodies.body[i].velocity) - a.velocity);
@@ -187,43 +232,51 @@ void ContactSolver::resolve_binary(Bodies& bodies, const Contact& contact)
     write(b, bodies.body[j]);
 }
 
-BatchPlace ContactSolver::add(Cluster& cluster, const Bodies& bodies, int i, int j, int key, const ContactLaw& law,
+BatchPlace ContactSolver::add(Cluster& cluster, const Bodies& bodies, int i, int j, int key, int materials,
                               const ImpulseMemory& memory)
 {
     const Label &a = bodies.label[at(i)], &b = bodies.label[at(j)];
-    const bool a_owns = key < 0 || a.id < b.id;
-    const int partner = key < 0 ? key : a_owns ? b.id : a.id;
+    const auto [owner, partner] = keeper(bodies, i, j, key);
+    const bool a_owns = owner == i;
     const int remembered = memory.find(a_owns ? a.remembered : b.remembered, partner);
     const Remembered& last = memory.entry(remembered);
 
     const auto [k, lane] = cluster.places.place(i, j, a.fixed, b.fixed);
-    if (k >= cluster.batches.size()) {
-        cluster.batches.resize(2 * k + 64);
-        cluster.notes.resize(cluster.batches.size());
-    }
+    cluster.reach(k);
     ContactBatch& batch = cluster.batches[k];
     BatchNotes& notes = cluster.notes[k];
-    if (lane == 0) leave_empty(batch, notes, static_cast<int>(bodies.size()));
+    RollingBatch* rolling = cluster.rolling_of(k);
+    if (lane == 0) {
+        leave_empty(batch, notes, static_cast<int>(bodies.size()));
+        if (rolling) *rolling = {};
+        for (int s = 0; s < cluster.state_count; ++s)
+            std::fill_n(cluster.state(k, s), lanes, 0.0f);
+    }
     ++cluster_contacts_;
     batch.i[lane] = i;
     batch.j[lane] = j;
-    batch.friction[lane] = static_cast<float>(law.friction);
-    notes.owner[lane] = a_owns ? i : j;
+    notes.owner[lane] = owner;
     notes.partner[lane] = partner;
     const float sign = a_owns ? 1.0f : -1.0f;
     for (int axis = 0; axis < 3; ++axis)
         batch.tangential[axis][lane] = sign * last.impulse[axis];
+    if (rolling)
+        for (int axis = 0; axis < 3; ++axis)
+            rolling->couple[axis][lane] = sign * memory.more(remembered)[axis];
+    for (int s = 0; s < cluster.state_count; ++s)
+        cluster.state(k, s)[lane] = memory.more(remembered)[(rolling ? 3 : 0) + s];
     // restitution is for bodies that meet, not for those that press on each other already
-    const auto meet = static_cast<float>(remembered == 0);
-    batch.bounce[lane] = meet * static_cast<float>(1 + law.restitution);
-    batch.tangential_bounce[lane] = static_cast<float>(1 + law.tangential_restitution);
+    notes.speed[lane] = static_cast<float>(remembered == 0);
+    notes.materials[lane] = materials;
     return {k, lane};
 }
 
 void ContactSolver::add_wall(const Bodies& bodies, const Contact& contact, const ImpulseMemory& memory)
 {
-    const auto [k, lane] = add(walls_, bodies, contact.i, contact.j, contact.key, *contact.law, memory);
+    const auto [k, lane] = add(walls_, bodies, contact.i, contact.j, contact.key, contact.materials, memory);
     ContactBatch& batch = walls_.batches[k];
+    BatchNotes& notes = walls_.notes[k];
+    const Response& response = contact.response;
     const auto [arm_i, arm_j] = arms(bodies, contact);
     for (int axis = 0; axis < 3; ++axis)
         batch.normal[axis][lane] = static_cast<float>(contact.normal[axis]);
@@ -232,8 +285,14 @@ void ContactSolver::add_wall(const Bodies& bodies, const Contact& contact, const
     batch.mass[lane] =
         static_cast<float>(1 / (bodies.body[at(contact.i)].inverse_mass + bodies.body[at(contact.j)].inverse_mass));
     batch.closing[lane] = static_cast<float>(contact.closing);
-    if (!contact.impact) batch.bounce[lane] = 0;
-    walls_.notes[k].touch_time[lane] = static_cast<float>(contact.touch_time);
+    const bool bounces = contact.impact && notes.speed[lane] > 0;
+    batch.bounce[lane] = bounces ? static_cast<float>(1 + response.restitution) : 0.0f;
+    batch.tangential_bounce[lane] = static_cast<float>(1 + response.tangential_restitution);
+    batch.friction[lane] = static_cast<float>(response.friction);
+    if (walls_.rolls) walls_.rolling[k].arm[lane] = static_cast<float>(response.rolling_arm);
+    for (int s = 0; s < walls_.state_count; ++s)
+        walls_.state(k, s)[lane] = static_cast<float>(contact.state[static_cast<std::size_t>(s)]);
+    notes.touch_time[lane] = static_cast<float>(contact.touch_time);
 }
 
 void ContactSolver::pass(std::vector<Body>& bodies, bool ends_forward)
@@ -243,76 +302,7 @@ void ContactSolver::pass(std::vector<Body>& bodies, bool ends_forward)
     const bool forward = as_the_last == ends_forward;
     const Phase phase = k < release ? Phase::compression : k == release ? Phase::release : Phase::after_release;
     for (Cluster* cluster : {forward ? &walls_ : &spheres_, forward ? &spheres_ : &walls_})
-        sweep(bodies, cluster->batches, cluster->places.count(), forward ? Direction::forward : Direction::backward,
-              phase);
-}
-
-double ContactSolver::separate(const Bodies& bodies, double share, double tolerated)
-{
-    float deepest = 0;
-    for (std::size_t k = 0; k < overlaps_.size(); ++k) {
-        const Overlap& overlap = overlaps_[k];
-        const Overlap& soon = overlaps_[std::min(k + ahead, overlaps_.size() - 1)];
-        __builtin_prefetch(&bodies.body[at(soon.i)]);
-        __builtin_prefetch(&bodies.body[at(soon.j)]);
-        const Body &a = bodies.body[at(overlap.i)], &b = bodies.body[at(overlap.j)];
-        Vector &shift_a = shift_[at(overlap.i)], &shift_b = shift_[at(overlap.j)];
-        deepest = std::max(deepest, -overlap.gap);
-        const Vector normal = to_vector(overlap.normal);
-        const Vector moves = step_ * (to_vector(b.velocity) - to_vector(a.velocity)) + shift_b - shift_a;
-        const double left = -tolerated - (overlap.gap + moves.dot(normal));
-        if (left <= 0) continue;
-        const double push = share * left / (a.inverse_mass + b.inverse_mass);
-        shift_a -= push * a.inverse_mass * normal;
-        shift_b += push * b.inverse_mass * normal;
-    }
-    return deepest;
-}
-
-void ContactSolver::finish(const Bodies& bodies, const std::vector<int>& particle, ImpulseMemory& memory)
-{
-    pushes_.assign(bodies.body.size(), 0);
-    impacts_.clear();
-    memory.forget();
-    finish(walls_, particle, memory);
-    finish(spheres_, particle, memory);
-    delay_impacts(bodies);
-}
-
-void ContactSolver::finish(const Cluster& cluster, const std::vector<int>& particle, ImpulseMemory& memory)
-{
-    for (std::size_t k = 0; k < cluster.places.count(); ++k) {
-        const ContactBatch& batch = cluster.batches[k];
-        const BatchNotes& notes = cluster.notes[k];
-        for (int lane = 0; lane < lanes; ++lane) {
-            if (batch.impulse[lane] <= 0) continue;
-            const bool impact = batch.bounce[lane] > 0;
-            count_touch(pushes_[at(batch.i[lane])], 1);
-            count_touch(pushes_[at(batch.j[lane])], 1);
-            if (impact) impacts_.push_back({&batch, lane, notes.touch_time[lane]});
-            // the next step finds the two of an impact at rest against each other, but not pressing
-            const float sign = impact ? 0.0f : notes.owner[lane] == batch.i[lane] ? 1.0f : -1.0f;
-            Remembered entry{notes.partner[lane]};
-            for (int axis = 0; axis < 3; ++axis)
-                entry.impulse[axis] =
-                    sign * (batch.impulse[lane] * batch.normal[axis][lane] + batch.tangential[axis][lane]);
-            memory.add(particle[at(notes.owner[lane])], entry);
-        }
-    }
-}
-
-void ContactSolver::delay_impacts(const Bodies& bodies)
-{
-    for (const Impact& impact : impacts_) {
-        const ContactBatch& batch = *impact.batch;
-        const int lane = impact.lane;
-        Vector impulse;  // on j
-        for (int axis = 0; axis < 3; ++axis)
-            impulse[axis] = batch.impulse[lane] * batch.normal[axis][lane] + batch.tangential[axis][lane];
-        const std::size_t i = at(batch.i[lane]), j = at(batch.j[lane]);
-        if (pushes_[i] == 1) shift_[i] += impact.touch_time * bodies.body[i].inverse_mass * impulse;
-        if (pushes_[j] == 1) shift_[j] -= impact.touch_time * bodies.body[j].inverse_mass * impulse;
-    }
+        sweep(bodies, *cluster, forward ? Direction::forward : Direction::backward, phase);
 }
 
 }  // namespace interphase::hard_sphere

@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "hard_sphere/batch_builder.hpp"
+#include "hard_sphere/any_law.hpp"
 #include "hard_sphere/bodies.hpp"
+#include "hard_sphere/cluster.hpp"
 #include "hard_sphere/contact.hpp"
-#include "hard_sphere/contact_batch.hpp"
 #include "hard_sphere/impulse_memory.hpp"
 #include "hard_sphere/pair_search.hpp"
 #include "hard_sphere/sweep.hpp"
@@ -32,7 +32,7 @@ public:
 
     /// Resolves binary collisions and makes the others ready. A pair across two ranks is resolved by the one that owns
     /// the lower id. `passes`, at least 2: how many will follow.
-    void start(Bodies& bodies, const PairSearch& pairs, const std::vector<Contact>& walls, const Materials& materials,
+    void start(Bodies& bodies, const PairSearch& pairs, std::vector<Contact>& walls, const AnyLaw& law,
                const StepLimits& limits, const ImpulseMemory& memory, int passes);
 
     /// One pass over the contacts of clusters. With ghosts, the changes of their velocities have to be collected, and
@@ -56,12 +56,6 @@ public:
     std::size_t cluster_contacts() const { return cluster_contacts_; }
 
 private:
-    /// Contacts of clusters. The vectors only grow; the builder knows what is in use.
-    struct Cluster {
-        BatchBuilder places;
-        std::vector<ContactBatch> batches;
-        std::vector<BatchNotes> notes;
-    };
     struct Impact {
         const ContactBatch* batch;
         int lane;
@@ -74,10 +68,22 @@ private:
     bool has(Role role, int body) const { return (roles_[static_cast<std::size_t>(body)] & role) != 0; }
     bool both_have(Role role, const Pair& pair) const { return has(role, pair.i) & has(role, pair.j); }
     bool takes_part(const Bodies& bodies, const Pair& pair) const;
-    void add_pairs(Bodies& bodies, const PairSearch& pairs, const Materials& materials, const StepLimits& limits,
+    void add_pairs(Bodies& bodies, const PairSearch& pairs, const AnyLaw& law, const StepLimits& limits,
                    const ImpulseMemory& memory);
+    void resolve_binary(Bodies& bodies, const Pair* first, const Pair* last, const AnyLaw& law,
+                        const StepLimits& limits, const ImpulseMemory& memory);
+
+    /// Which of the two bodies remembers their contact, and under what.
+    struct Keeper {
+        int owner, partner;
+    };
+    static Keeper keeper(const Bodies& bodies, int i, int j, int key);
+
+    /// Fills in what the contacts' states were in the last step.
+    void recall(const Bodies& bodies, std::vector<Contact>& contacts, const AnyLaw& law,
+                const ImpulseMemory& memory) const;
     void resolve_binary(Bodies& bodies, const Contact& contact);
-    BatchPlace add(Cluster& cluster, const Bodies& bodies, int i, int j, int key, const ContactLaw& law,
+    BatchPlace add(Cluster& cluster, const Bodies& bodies, int i, int j, int key, int materials,
                    const ImpulseMemory& memory);
     void add_wall(const Bodies& bodies, const Contact& contact, const ImpulseMemory& memory);
     void finish(const Cluster& cluster, const std::vector<int>& particle, ImpulseMemory& memory);
@@ -93,6 +99,12 @@ private:
     std::vector<std::uint8_t> touches_, roles_, users_;  ///< of each body; small, for these are asked at random
     std::vector<std::uint8_t> pushes_;                   ///< contacts that gave the body an impulse, at most 2
     std::vector<Pair> cluster_pairs_, binary_pairs_;     ///< of spheres, those that take part
+    std::vector<Contact> binary_contacts_;
+    struct BinaryState {
+        Keeper keeper;
+        std::array<double, most_states> state;
+    };
+    std::vector<BinaryState> binary_states_;  ///< of those that last
     std::vector<Impact> impacts_;
 };
 

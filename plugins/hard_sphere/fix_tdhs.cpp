@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "atom.h"
 #include "comm.h"
@@ -30,15 +31,20 @@ constexpr int most_parts = 100;
 constexpr double touching_share = 0.1;  // of the margin
 constexpr int ahead = 8;                // spheres
 constexpr double usual_reach = 0.3;     // of a diameter: hardly any pair closes a wider gap in a step
-constexpr double most_way_of_walls = 0.5;  // of a radius, in a part of a step: where a sphere meets them is that they stand there
+constexpr double most_way_of_walls =
+    0.5;  // of a radius, in a part of a step: where a sphere meets them is that they stand there
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-FixTdhs::FixTdhs(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, arg), ghosts_(*lmp, 4)
+FixTdhs::FixTdhs(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg, std::unique_ptr<AnyLaw> law)
+    : Fix(lmp, narg, arg),
+      law_(std::move(law)),
+      ghosts_(*lmp, 4),
+      memory_(static_cast<std::size_t>((law_->rolls() ? 3 : 0) + law_->state_count()))
 {
-    if (!atom->sphere_flag) error->all(FLERR, "Fix tdhs: the particles are no spheres; use atom_style granular");
+    if (!atom->sphere_flag) complain("the particles are no spheres; use atom_style granular");
     time_integrate = 1;
     create_attribute = 1;
     restart_global = 1;
@@ -62,14 +68,14 @@ FixTdhs::~FixTdhs() { atom->delete_callback(id, grow_callback); }
 void FixTdhs::post_run()
 {
     if (counted_[steps_in_parts] > 0)
-        say("Fix tdhs resolved contacts in more than one part in %.0f steps, for fast spheres\n",
+        say("Fix %s resolved contacts in more than one part in %.0f steps, for fast spheres or walls\n", style,
             counted_[steps_in_parts]);
     const double deepest = shared_max(counted_[deepest_overlap]);
     if (deepest > deep)
-        say("Fix tdhs: the deepest overlap was %g of the smallest diameter. If the bed sinks, give more `passes` (now "
+        say("Fix %s: the deepest overlap was %g of the smallest diameter. If the bed sinks, give more `passes` (now "
             "%d) "
             "or a shorter step\n",
-            deepest, effort_.passes);
+            style, deepest, effort_.passes);
 }
 
 namespace {
@@ -133,10 +139,11 @@ void FixTdhs::ask_gravity()
 void FixTdhs::init()
 {
     refuse_company();
-    materials_ = read_materials();
+    read_materials();
 
     ghosts_.begin();
     measure_spheres();
+    check_law();
     sizes_change_ = contacts::sizes_change(*lmp);
     script::sort_by_default(*lmp, 4 * ghosts_.largest_radius());
 }
@@ -162,7 +169,7 @@ void FixTdhs::setup(int)
     collect_walls();
     for (const auto& wall : walls_.all())
         if (wall->type() < 0 || wall->type() >= atom->ntypes)
-            error->all(FLERR, "Fix tdhs: a wall has a type that the simulation box does not know");
+            complain("a wall has a type that the simulation box does not know");
     if (!started_) {  // what meets in the very first step
         started_ = true;
         std::fill(push_.begin(), push_.end(), 0.0);
@@ -176,7 +183,8 @@ void FixTdhs::collect_walls()
 {
     walls_.clear();
     for (int k = 0; k < modify->nfix; ++k)
-        if (const auto* fix = dynamic_cast<FixWallTdhs*>(modify->fix[k])) walls_.add(*fix);
+        if (const auto* fix = dynamic_cast<FixWallTdhs*>(modify->fix[k]); fix && fix->is_heeded_by(style))
+            walls_.add(*fix);
 }
 
 void FixTdhs::follow_walls()
@@ -185,12 +193,12 @@ void FixTdhs::follow_walls()
     walls_.travel(limits_.step);  // through the last part of the step
     const double off = walls_.follow(), most = most_way_of_walls * smallest_radius_;
     if (off > most)
-        error->all(FLERR, ("Fix tdhs: a wall is " + std::to_string(off) +
-                           " m from where its last velocity would have brought it in a step, more than half the radius "
-                           "of a sphere, " + std::to_string(most) +
-                           " m, and may have passed through one. LIGGGHTS tells how fast a mesh moves once it has moved: "
-                           "give a shorter step, or let the mesh set out slowly")
-                              .c_str());
+        complain(
+            "a wall is " + std::to_string(off) +
+            " m from where its last velocity would have brought it in a step, more than half the radius of a sphere, " +
+            std::to_string(most) +
+            " m, and may have passed through one. LIGGGHTS tells how fast a mesh moves once it has moved: give a "
+            "shorter step, or let the mesh set out slowly");
 }
 
 void FixTdhs::initial_integrate(int)
@@ -213,6 +221,7 @@ void FixTdhs::final_integrate()
     const TinyIsZero in_this_step;
     add_forces();
     follow_walls();
+    if (range_ > 0) attract();
     choose_parts();
     resolve_contacts();
     cost_.switch_to(Part::outside);
@@ -246,17 +255,17 @@ void FixTdhs::resolve_contacts()
         comm->forward_comm_fix(this);
     }
     cost_.switch_to(Part::search);
-    gather();
+    gather(reach_);
     pairs_.find(bodies_, grid_, limits_.step, limits_.margin, limits_.touching);
     cost_.switch_to(Part::walls);
-    find_wall_contacts(bodies_, walls_.all(), materials_, limits_, wall_contacts_);
+    find_wall_contacts(bodies_, walls_.all(), law_->materials, limits_, wall_contacts_);
 
     cost_.switch_to(Part::contacts);
     counts_ = &solver_.count_touches(pairs_, wall_contacts_);
     if (has_ghosts()) tell_counts();
     solver_.classify(bodies_);
     if (has_ghosts()) split_masses();
-    solver_.start(bodies_, pairs_, wall_contacts_, materials_, limits_, memory_, effort_.passes);
+    solver_.start(bodies_, pairs_, wall_contacts_, *law_, limits_, memory_, effort_.passes);
     share_changes();
     for (int k = 0; k < effort_.passes; ++k) {
         solver_.pass(bodies_.body, up_is_forward_);
@@ -289,13 +298,13 @@ void FixTdhs::add_forces()
     }
 }
 
-void FixTdhs::gather()
+void FixTdhs::gather(double reach)
 {
     const int count = atom->nlocal + atom->nghost;
     bodies_.resize(at(count));
     body_of_.resize(at(count));
     shared_.resize(at(count));
-    grid_.sort(count > 0 ? atom->x[0] : nullptr, atom->radius, at(count), reach_, up_axis_);
+    grid_.sort(count > 0 ? atom->x[0] : nullptr, atom->radius, at(count), reach, up_axis_);
     bodies_.coarse.start(grid_.low(), grid_.high());
     constexpr int block = 256;  // what is read twice is still near the processor then
     for (int first = 0; first < count; first += block) {
@@ -355,13 +364,11 @@ void FixTdhs::choose_parts()
     if (parts_ > 1 && (!shortens_ || parts_ > most_parts)) {
         const bool wall = way_of_walls / most_of_walls > closing / bound;
         const double speed = wall ? of_walls : fastest, most = wall ? most_of_walls : 0.5 * bound;
-        error->all(FLERR, (std::string("Fix tdhs: a ") + (wall ? "wall" : "sphere") + " moves at " +
-                           std::to_string(speed) + " m/s, which is " + std::to_string(speed * update->dt) +
-                           " m in a step; from " + std::to_string(most) + " m on, " +
-                           (wall ? "it may pass through a sphere" : "spheres may pass through each other") +
-                           ". Give a step below " + std::to_string(most / speed) + " s" +
-                           (shortens_ ? ", or find out why it is so fast" : ", or `too_fast shorten`"))
-                              .c_str());
+        complain(std::string("a ") + (wall ? "wall" : "sphere") + " moves at " + std::to_string(speed) +
+                 " m/s, which is " + std::to_string(speed * update->dt) + " m in a step; from " + std::to_string(most) +
+                 " m on, " + (wall ? "it may pass through a sphere" : "spheres may pass through each other") +
+                 ". Give a step below " + std::to_string(most / speed) + " s" +
+                 (shortens_ ? ", or find out why it is so fast" : ", or `too_fast shorten`"));
     }
     if (parts_ > 1) ++counted_[steps_in_parts];
     limits_.step = update->dt / parts_;

@@ -10,6 +10,7 @@
 #include "comm.h"
 #include "contacts/ghost_reach.hpp"
 #include "fix.h"
+#include "hard_sphere/any_law.hpp"
 #include "hard_sphere/cell_grid.hpp"
 #include "hard_sphere/contact_solver.hpp"
 #include "hard_sphere/cost.hpp"
@@ -20,18 +21,17 @@
 
 namespace interphase::hard_sphere {
 
-/// The LIGGGHTS fix style `tdhs`: time-driven hard spheres. It is the integrator of its group and resolves all contacts
-/// of the group's spheres, among each other, with spheres outside the group (which it holds as they are) and with
-/// the walls that fixes `wall/tdhs` describe. What the script may say stands in the folder's README.
+/// The LIGGGHTS fix styles `tdhs` and `tdhs/LAW`: time-driven hard spheres, whose contacts follow a law
+/// (fix_tdhs_of.hpp makes a style of it). It is the integrator of its group and resolves all contacts of the group's
+/// spheres, among each other, with spheres outside the group (which it holds as they are) and with the walls that fixes
+/// `wall/tdhs[/LAW]` describe. What the script may say stands in the folder's README.
 ///
 /// A step: velocities take up all forces but contacts (eq. 9 of the paper), contacts change velocities, positions
 /// follow. Velocities belong to the middle of the step before the position's time, as in LIGGGHTS's own integrators
 /// after their second half.
 class FixTdhs : public LAMMPS_NS::Fix {
 public:
-    static constexpr const char* style_name = "tdhs";
-
-    FixTdhs(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+    FixTdhs(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg, std::unique_ptr<AnyLaw> law);
     ~FixTdhs() override;
 
     int setmask() override;
@@ -72,17 +72,23 @@ private:
     static const std::vector<ShownValue>& shown_values();
 
     /// Of messages.hpp, the one that LIGGGHTS is asked to pass on.
-    enum class Message { sizes, start, counts, motion, shift };
+    enum class Message { sizes, pulls, start, counts, motion, shift };
 
+    /// Ends the run; the message begins with the style. Collective.
+    void complain(const std::string& what) const;
     void read_arguments(int narg, char** arg);
     void refuse_company();
-    Materials read_materials();
+    void read_materials();
     void measure_spheres();
     void collect_walls();
     void follow_walls();
     void ask_gravity();
+    void check_law();
     void add_forces();
-    void gather();
+    void attract();
+    void find_attractions();
+    void find_attractions_of_walls();
+    void gather(double reach);
     void gather(int first, int last);
     void choose_effort();
     void choose_parts();
@@ -126,13 +132,17 @@ private:
     std::array<double, counter_number> counted_{};  ///< so far
     CounterValues counter_values_{counted_.size(), counted_.data()};
 
-    Materials materials_;
+    std::unique_ptr<AnyLaw> law_;
     walls::WallSet walls_;
     StepLimits limits_{};
     double reach_ = 0;             ///< gap up to which pairs are looked for [m]
     contacts::GhostReach ghosts_;  ///< as far away as a pair may be that meets within one step
     double smallest_radius_ = 0;   ///< [m]
     bool sizes_change_ = false;    ///< while the run goes on
+
+    double range_ = 0;  ///< of the law's attraction; 0: it has none [m]
+    std::vector<Attraction> attractions_;
+    Scalars pulls_;  ///< impulses by these [atoms, ghosts included, x 3, kg m/s]
 
     Scalars push_;   ///< [atoms x 3]
     Scalars shift_;  ///< not yet in the positions [atoms x 3, m]

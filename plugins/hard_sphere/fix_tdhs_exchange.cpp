@@ -164,6 +164,12 @@ void FixTdhs::unpack_comm(int n, int first, double* buffer)
 
 int FixTdhs::pack_reverse_comm(int n, int first, double* buffer)
 {
+    if (message_ == Message::pulls)
+        return pack_each(n, buffer, [&](int k) {
+            PullMessage message;
+            set(message.impulse, to_vector(&pulls_[at(3 * (first + k))]));
+            return message;
+        });
     const auto body_of = [&](int k) { return at(body_of_[at(first + k)]); };
     if (message_ == Message::counts)
         return pack_each(n, buffer, [&](int k) { return CountMessage{static_cast<double>((*counts_)[body_of(k)])}; });
@@ -184,6 +190,11 @@ int FixTdhs::pack_reverse_comm(int n, int first, double* buffer)
 
 void FixTdhs::unpack_reverse_comm(int n, int* list, double* buffer)
 {
+    if (message_ == Message::pulls)
+        return unpack_each<PullMessage>(n, buffer, [&](int k, const PullMessage& message) {
+            double* pull = &pulls_[at(3 * list[k])];
+            set(pull, to_vector(pull) + to_vector(message.impulse));
+        });
     const auto body_of = [&](int k) { return at(body_of_[at(list[k])]); };
     if (message_ == Message::counts)
         return unpack_each<CountMessage>(n, buffer, [&](int k, const CountMessage& message) {

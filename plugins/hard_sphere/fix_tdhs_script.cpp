@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What fix tdhs takes from the script, and what it does not bear beside it.
+#include <cfenv>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -14,23 +15,27 @@
 
 namespace interphase::hard_sphere {
 
+void FixTdhs::complain(const std::string& what) const
+{
+    error->all(FLERR, ("Fix " + std::string(style) + ": " + what).c_str());
+}
+
 void FixTdhs::read_arguments(int narg, char** arg)
 {
-    const auto fail = [&](const std::string& what) { error->all(FLERR, ("Fix tdhs: " + what).c_str()); };
     for (int k = 3; k < narg; k += 2) {
         const std::string key = arg[k];
-        if (k + 1 >= narg) fail("'" + key + "' needs a value");
+        if (k + 1 >= narg) complain("'" + key + "' needs a value");
         if (key == "too_fast") {
             const std::string choice = arg[k + 1];
-            if (choice != "stop" && choice != "shorten") fail("too_fast " + choice + ": give stop or shorten");
+            if (choice != "stop" && choice != "shorten") complain("too_fast " + choice + ": give stop or shorten");
             shortens_ = choice == "shorten";
             continue;
         }
         char* end = nullptr;
         const double value = std::strtod(arg[k + 1], &end);
-        if (*end || end == arg[k + 1]) fail("'" + key + " " + arg[k + 1] + "': no number");
+        if (*end || end == arg[k + 1]) complain("'" + key + " " + arg[k + 1] + "': no number");
         const auto check = [&](bool holds, const char* demand) {
-            if (!holds) fail(key + " " + arg[k + 1] + ": " + demand);
+            if (!holds) complain(key + " " + arg[k + 1] + ": " + demand);
         };
         if (key == "passes") {
             check(value >= 2 && value <= 1000 && value == std::floor(value),
@@ -52,11 +57,23 @@ void FixTdhs::read_arguments(int narg, char** arg)
             check(value >= 0 && value < 1e300, "give a speed in m/s, not below 0");
             resting_speed_ = value;
         } else {
-            fail("unknown word '" + key +
-                 "'; known: passes, margin, separation, relief, tolerated_overlap, "
-                 "resting_speed, too_fast");
+            complain("unknown word '" + key +
+                     "'; known: passes, margin, separation, relief, tolerated_overlap, "
+                     "resting_speed, too_fast");
         }
     }
+}
+
+/// Before anything moves, with the spheres there are or will be. Every rank asks the same.
+void FixTdhs::check_law()
+{
+    const bool any = smallest_radius_ < 1e300;
+    std::fenv_t traps;  // a division by 0 is to be told in words
+    std::feholdexcept(&traps);
+    const std::string wrong = law_->complaint({any ? smallest_radius_ : 1e-3, any ? ghosts_.largest_radius() : 1e-3});
+    range_ = law_->longest_range();
+    std::fesetenv(&traps);
+    if (!wrong.empty()) complain(wrong);
 }
 
 void FixTdhs::choose_effort()
@@ -64,7 +81,7 @@ void FixTdhs::choose_effort()
     effort_ = usual_effort(gravity_, update->dt, 2 * smallest_radius_);
     if (passes_given_ > 0) effort_.passes = passes_given_;
     if (margin_given_ >= 0) effort_.margin = margin_given_;
-    say("Fix tdhs: %d passes over the contacts of a step, margin %g of the smallest diameter\n", effort_.passes,
+    say("Fix %s: %d passes over the contacts of a step, margin %g of the smallest diameter\n", style, effort_.passes,
         effort_.margin);
 }
 
@@ -76,27 +93,25 @@ void FixTdhs::refuse_company()
         if (std::string(other.style).rfind("wall/gran", 0) == 0)
             error->all(FLERR,
                        (std::string("Fix ") + other.id + " (" + other.style +
-                        ") makes contact forces on walls, but fix tdhs resolves contacts itself. Write wall/tdhs "
-                        "for it, with the words from `primitive` or `mesh` on")
+                        ") makes contact forces on walls, but fix " + style + " resolves contacts itself. Write wall/" +
+                        style + " for it, with the words from `primitive` or `mesh` on")
                            .c_str());
     }
     if (force->pair)
-        error->all(FLERR,
-                   "Fix tdhs resolves contacts itself, but a pair_style does, too. Remove the pair_style, or use fix "
-                   "nve/sphere instead of fix tdhs");
+        error->all(FLERR, ("Fix " + std::string(style) +
+                           " resolves contacts itself, but a pair_style does, too. Remove the pair_style, or use fix "
+                           "nve/sphere instead of it")
+                              .c_str());
 }
 
-Materials FixTdhs::read_materials()
+void FixTdhs::read_materials()
 {
-    Materials materials(atom->ntypes);
-    const auto read = [&](const char* name, double ContactLaw::*member, double most) {
-        script::read_between_types(*lmp, *this, name, most,
-                                   [&](int a, int b, double value) { materials.between(a, b).*member = value; });
-    };
-    read("coefficientRestitution", &ContactLaw::restitution, 1);
-    read("tangentialRestitution", &ContactLaw::tangential_restitution, 1);
-    read("coefficientFriction", &ContactLaw::friction, 1e300);
-    return materials;
+    Materials& materials = law_->start(atom->ntypes);
+    const std::vector<MaterialProperty>& properties = law_->properties();
+    for (std::size_t k = 0; k < properties.size(); ++k)
+        script::read_between_types(
+            *lmp, *this, properties[k].name, {properties[k].least, properties[k].most},
+            [&](int a, int b, double value) { materials.number(materials.between(a, b), k) = value; });
 }
 
 }  // namespace interphase::hard_sphere

@@ -11,6 +11,13 @@ namespace interphase::hard_sphere {
 
 constexpr double tiny = 1e-100;  ///< no lane may divide by zero: the gas engine may have made that an error
 
+/// r_e of radii or arms `a` and `b`, of which that of a wall is 0 [m].
+template <class D>
+INTERPHASE_INLINE D effective_radius(const D& a, const D& b)
+{
+    return if_positive(b, D(a * b / (a + b + tiny)), a);
+}
+
 /// When two spheres touch, or are nearest if they do not.
 template <class D>
 struct Encounter {
@@ -129,6 +136,26 @@ template <class D>
 INTERPHASE_INLINE Three<D> within_cone(const Three<D>& direction, const D& length, const D& sticking, const D& limit)
 {
     return D(smaller(sticking, limit) / (length + tiny)) * direction;
+}
+
+/// The couple [kg m2/s] on b, `before` and what is to come, that keeps b from rolling over a; `limit` is the largest.
+/// What turns about the normal stays. Takes kinetic energy or leaves it.
+template <class D, class Side>
+INTERPHASE_INLINE Three<D> rolling_couple(const Side& a, const Side& b, const Three<D>& normal, const Three<D>& before,
+                                          const D& limit)
+{
+    const Three<D> turning = b.spin - a.spin, rolling = turning - dot(turning, normal) * normal;
+    const Three<D> wanted = before - D(1 / (a.inverse_inertia + b.inverse_inertia + tiny)) * rolling;
+    const D size = square_root(dot(wanted, wanted));
+    return within_cone(wanted, size, size, limit);
+}
+
+/// Gives `couple` [kg m2/s] to b and its opposite to a. `a` and `b` change.
+template <class D, class Side>
+INTERPHASE_INLINE void exchange_couple(Side& a, Side& b, const Three<D>& couple)
+{
+    a.spin = a.spin - a.inverse_inertia * couple;
+    b.spin = b.spin + b.inverse_inertia * couple;
 }
 
 /// Gives `impulse` [kg m/s] to b and its opposite to a (eqs. 12 to 15 of the paper). `a` and `b` change.

@@ -11,9 +11,9 @@ namespace interphase::hard_sphere {
 namespace {
 
 // LIGGGHTS's buffer has room for 1000 numbers more than it asks for. What is left out starts from nothing.
-constexpr int most_packed = 200;
+constexpr int room = 800;
 
-/// An entry on its way to another rank. How many come stands before them.
+/// An entry on its way to another rank, with what it has beside behind it. How many come stands before them.
 struct ImpulseMessage {
     double partner;
     double impulse[3];  ///< [kg m/s]
@@ -28,17 +28,21 @@ void ImpulseMemory::forget()
 {
     std::fill(first_.begin(), first_.end(), 0);
     entries_.resize(1);
+    numbers_.resize(more_);
 }
 
 int ImpulseMemory::pack(int particle, double* buffer) const
 {
     int told = numbers_in<ImpulseCount>, count = 0;
-    for (int k = first(particle); k != 0 && count < most_packed; ++count) {
+    const int most = room / (numbers_in<ImpulseMessage> + static_cast<int>(more_));
+    for (int k = first(particle); k != 0 && count < most; ++count) {
         const Remembered& entry = entries_[static_cast<std::size_t>(k)];
         ImpulseMessage message;
         message.partner = entry.partner;
         set(message.impulse, to_vector(entry.impulse));
         told += hard_sphere::pack(message, buffer + told);
+        std::copy_n(more(k), more_, buffer + told);
+        told += static_cast<int>(more_);
         k = entry.next;
     }
     hard_sphere::pack(ImpulseCount{static_cast<double>(count)}, buffer);
@@ -56,6 +60,10 @@ int ImpulseMemory::unpack(int particle, const double* buffer)
         Remembered entry{static_cast<int>(message.partner)};
         set(entry.impulse, to_vector(message.impulse));
         add(particle, entry);
+        if (more_ == 0) continue;
+        float* beside = add_more();
+        for (std::size_t m = 0; m < more_; ++m)
+            beside[m] = static_cast<float>(buffer[read++]);
     }
     return read;
 }

@@ -17,6 +17,9 @@ struct Remembered {
 /// particle engine, which may reorder and exchange them between two steps.
 class ImpulseMemory {
 public:
+    /// `more`: numbers of each entry beside its impulse.
+    explicit ImpulseMemory(std::size_t more = 0) : more_(more), numbers_(more, 0.0f) {}
+
     /// The particle's first entry; 0: none.
     int first(int particle) const { return first_[static_cast<std::size_t>(particle)]; }
 
@@ -32,6 +35,9 @@ public:
     /// Entry 0 has no partner and no impulse.
     const Remembered& entry(int k) const { return entries_[static_cast<std::size_t>(k)]; }
 
+    /// What entry k has beside, of entry 0 zeros.
+    const float* more(int k) const { return numbers_.data() + static_cast<std::size_t>(k) * more_; }
+
     /// Tells the processor that find() will be asked.
     void fetch(int first) const { __builtin_prefetch(entries_.data() + first); }
 
@@ -46,6 +52,13 @@ public:
         entries_.push_back(entry);
     }
 
+    /// Where to write what the entry that was just added has beside: zeros so far.
+    float* add_more()
+    {
+        numbers_.resize(entries_.size() * more_, 0.0f);
+        return numbers_.data() + numbers_.size() - more_;
+    }
+
     void grow(std::size_t particles) { first_.resize(particles, 0); }
     void copy(int from, int to) { first_[static_cast<std::size_t>(to)] = first_[static_cast<std::size_t>(from)]; }
     void forget(int particle) { first_[static_cast<std::size_t>(particle)] = 0; }
@@ -55,8 +68,10 @@ public:
     int unpack(int particle, const double* buffer);
 
 private:
+    std::size_t more_;
     std::vector<int> first_;
     std::vector<Remembered> entries_{1};  ///< the first one stands for none
+    std::vector<float> numbers_;          ///< [entries x more]
 };
 
 }  // namespace interphase::hard_sphere

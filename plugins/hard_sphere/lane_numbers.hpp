@@ -131,6 +131,18 @@ INTERPHASE_INLINE D square_root(const D& values)
 
 INTERPHASE_INLINE double square_root(double value) { return std::sqrt(value); }
 
+/// values^exponent, of a zero or less 0.
+template <class D>
+INTERPHASE_INLINE D power(const D& values, double exponent)
+{
+    D powers{};
+    for (int k = 0; k < width_of<D>; ++k)
+        if (values[k] > 0) powers[k] = std::pow(values[k], exponent);
+    return powers;
+}
+
+INTERPHASE_INLINE double power(double value, double exponent) { return value > 0 ? std::pow(value, exponent) : 0; }
+
 /// A positive number that others are divided by, the same for all contacts [s]. Contacts side by side share one
 /// division.
 template <class D>

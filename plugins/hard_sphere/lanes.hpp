@@ -170,13 +170,18 @@ INTERPHASE_INLINE void store(Body* bodies, const int* index, const Side<D>& side
         side.spin, side.inverse_inertia, [&](int k) __attribute__((always_inline)) { return bodies[index[k]].spin; });
 }
 
-/// Gives `impulse` to the bodies on side b, its opposite to those on side a; of the contacts from `first` on.
+/// The bodies on side b got `impulse`, those on side a its opposite; of the contacts from `first` on.
 template <class D>
-INTERPHASE_INLINE void give(Body* bodies, const ContactBatch& batch, int first, Side<D>& a, Side<D>& b,
-                            const Three<D>& normal, const Three<D>& impulse)
+INTERPHASE_INLINE void exchange(const ContactBatch& batch, int first, Side<D>& a, Side<D>& b, const Three<D>& normal,
+                                const Three<D>& impulse)
 {
     constexpr int width = width_of<D>;
     exchange_impulse(a, b, wide<width>(batch.arm_i + first), wide<width>(batch.arm_j + first), normal, impulse);
+}
+
+template <class D>
+INTERPHASE_INLINE void store(Body* bodies, const ContactBatch& batch, int first, const Side<D>& a, const Side<D>& b)
+{
     store(bodies, batch.i + first, a);
     store(bodies, batch.j + first, b);
 }

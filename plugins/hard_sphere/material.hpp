@@ -6,28 +6,30 @@
 
 namespace interphase::hard_sphere {
 
-/// What a contact between two materials does (eqs. 10 and 11 of the paper).
-struct ContactLaw {
-    double restitution = 1;             ///< e_n, 0 to 1
-    double tangential_restitution = 1;  ///< e_t, 0 to 1, of a sticking contact
-    double friction = 0;                ///< mu >= 0
-};
-
-/// The laws between all pairs of particle types; types count from 0.
+/// What a law's properties are between all pairs of particle types; types count from 0.
 class Materials {
 public:
     Materials() = default;
-    explicit Materials(int types) : types_(types), laws_(static_cast<std::size_t>(types) * types) {}
+    Materials(int types, std::size_t properties)
+        : types_(types), properties_(properties), numbers_(static_cast<std::size_t>(types) * types * properties)
+    {}
 
-    ContactLaw& between(int a, int b) { return laws_[index(a, b)]; }
-    const ContactLaw& between(int a, int b) const { return laws_[index(a, b)]; }
     int types() const { return types_; }
 
-private:
-    std::size_t index(int a, int b) const { return static_cast<std::size_t>(a) * types_ + static_cast<std::size_t>(b); }
+    /// Names the pair.
+    int between(int a, int b) const { return a * types_ + b; }
 
+    double& number(int pair, std::size_t property)
+    {
+        return numbers_[static_cast<std::size_t>(pair) * properties_ + property];
+    }
+
+    const double* numbers() const { return numbers_.data(); }  ///< [pairs x properties]
+
+private:
     int types_ = 0;
-    std::vector<ContactLaw> laws_;
+    std::size_t properties_ = 0;
+    std::vector<double> numbers_;
 };
 
 }  // namespace interphase::hard_sphere

@@ -22,6 +22,11 @@ struct SizeMessage {
     double mass;    ///< [kg]
 };
 
+/// To the owner: the impulse of a law's attractions.
+struct PullMessage {
+    double impulse[3];  ///< [kg m/s]
+};
+
 /// Contacts that touch the sphere, or ranks that change it. To the owner, where they are added up, and from it.
 struct CountMessage {
     double count;

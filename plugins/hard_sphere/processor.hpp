@@ -17,6 +17,9 @@
 #define INTERPHASE_WIDEST
 #endif
 
+/// All that such a function calls becomes part of it, where its text is there.
+#define INTERPHASE_FLATTEN __attribute__((flatten))
+
 /// Without it the clones would call one function compiled for the oldest processor.
 #define INTERPHASE_INLINE inline __attribute__((always_inline))
 

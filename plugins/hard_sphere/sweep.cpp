@@ -12,8 +12,8 @@ namespace {
 constexpr double tangential_share = 2.0 / 7.0;
 
 /// The contacts of a batch from `first` on.
-template <Phase phase, int width>
-INTERPHASE_INLINE void resolve(Body* bodies, ContactBatch& batch, int first)
+template <Phase phase, int width, bool rolls>
+INTERPHASE_INLINE void resolve(Body* bodies, ContactBatch& batch, RollingBatch* rolling, int first)
 {
     using D = Doubles<width>;
     Side<D> a = load<width>(bodies, batch.i + first), b = load<width>(bodies, batch.j + first);
@@ -47,13 +47,22 @@ INTERPHASE_INLINE void resolve(Body* bodies, ContactBatch& batch, int first)
     const Three<D> impulse = tangential - before + D(along - old) * normal;
     store(batch.impulse + first, along);
     store(batch.tangential, first, tangential);
-    give(bodies, batch, first, a, b, normal, impulse);
+    exchange(batch, first, a, b, normal, impulse);
+    if constexpr (rolls) {
+        const Three<D> last = wide<width>(rolling->couple, first);
+        const Three<D> couple = rolling_couple(a, b, normal, last, D(wide<width>(rolling->arm + first) * along));
+        exchange_couple<D>(a, b, couple - last);
+        store(rolling->couple, first, couple);
+    }
+    store(bodies, batch, first, a, b);
 }
 
-template <Phase phase, int width>
-INTERPHASE_INLINE void each(Body* bodies, ContactBatch* batches, std::size_t count, Direction direction)
+template <Phase phase, int width, bool rolls>
+INTERPHASE_INLINE void each(Body* bodies, Cluster& cluster, Direction direction)
 {
     constexpr std::size_t ahead = 4;
+    const std::size_t count = cluster.places.count();
+    ContactBatch* batches = cluster.batches.data();
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t now = direction == Direction::forward ? k : count - 1 - k;
         const std::size_t soon = direction == Direction::forward ? now + ahead : now - ahead;
@@ -62,50 +71,57 @@ INTERPHASE_INLINE void each(Body* bodies, ContactBatch* batches, std::size_t cou
             fetch(bodies, batches[soon].j);
         }
         for (int first = 0; first < lanes; first += width)
-            resolve<phase, width>(bodies, batches[now], first);
+            resolve<phase, width, rolls>(bodies, batches[now], rolls ? &cluster.rolling[now] : nullptr, first);
     }
 }
 
-template <int width>
-INTERPHASE_INLINE void pass(Body* bodies, ContactBatch* batches, std::size_t count, Direction direction, Phase phase)
+template <int width, bool rolls>
+INTERPHASE_INLINE void pass(Body* bodies, Cluster& cluster, Direction direction, Phase phase)
 {
     switch (phase) {
         case Phase::compression:
-            each<Phase::compression, width>(bodies, batches, count, direction);
+            each<Phase::compression, width, rolls>(bodies, cluster, direction);
             break;
         case Phase::release:
-            each<Phase::release, width>(bodies, batches, count, direction);
+            each<Phase::release, width, rolls>(bodies, cluster, direction);
             break;
         case Phase::after_release:
-            each<Phase::after_release, width>(bodies, batches, count, direction);
+            each<Phase::after_release, width, rolls>(bodies, cluster, direction);
     }
 }
 
-INTERPHASE_WIDEST void by_eight(Body* bodies, ContactBatch* batches, std::size_t count, Direction direction,
-                                Phase phase)
+template <bool rolls>
+INTERPHASE_WIDEST void by_eight(Body* bodies, Cluster& cluster, Direction direction, Phase phase)
 {
-    pass<8>(bodies, batches, count, direction, phase);
+    pass<8, rolls>(bodies, cluster, direction, phase);
 }
 
-INTERPHASE_CLONES void by_four(Body* bodies, ContactBatch* batches, std::size_t count, Direction direction, Phase phase)
+template <bool rolls>
+INTERPHASE_CLONES void by_four(Body* bodies, Cluster& cluster, Direction direction, Phase phase)
 {
-    pass<4>(bodies, batches, count, direction, phase);
+    pass<4, rolls>(bodies, cluster, direction, phase);
 }
 
 /// The scalar.
-void by_one(Body* bodies, ContactBatch* batches, std::size_t count, Direction direction, Phase phase)
+template <bool rolls>
+void by_one(Body* bodies, Cluster& cluster, Direction direction, Phase phase)
 {
-    pass<1>(bodies, batches, count, direction, phase);
+    pass<1, rolls>(bodies, cluster, direction, phase);
+}
+
+template <bool rolls>
+auto of_width(int width)
+{
+    return width == 8 ? by_eight<rolls> : width == 4 ? by_four<rolls> : by_one<rolls>;
 }
 
 }  // namespace
 
-void sweep(std::vector<Body>& bodies, std::vector<ContactBatch>& batches, std::size_t count, Direction direction,
-           Phase phase, int width)
+void sweep(std::vector<Body>& bodies, Cluster& cluster, Direction direction, Phase phase, int width)
 {
     if (width == 0) width = best_width();
-    const auto go = width == 8 ? by_eight : width == 4 ? by_four : by_one;
-    go(bodies.data(), batches.data(), count, direction, phase);
+    const auto go = cluster.rolls ? of_width<true>(width) : of_width<false>(width);
+    go(bodies.data(), cluster, direction, phase);
 }
 
 }  // namespace interphase::hard_sphere

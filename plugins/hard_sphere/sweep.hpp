@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "hard_sphere/bodies.hpp"
-#include "hard_sphere/contact_batch.hpp"
+#include "hard_sphere/cluster.hpp"
 
 namespace interphase::hard_sphere {
 
@@ -16,12 +16,11 @@ enum class Direction { forward, backward };
 /// agree. Pfeiffer and Glocker, Multibody Dynamics with Unilateral Contacts, Wiley 1996, ch. 8.)
 enum class Phase { compression, release, after_release };
 
-/// One pass of projected Gauss-Seidel over `count` batches, in their order or against it: each contact in turn gets the
-/// impulse that its bodies need, given all others (Jean, CMAME 177 (1999) 235). Normal: v_n + gap/step >= 0;
+/// One pass of projected Gauss-Seidel over a cluster's batches, in their order or against it: each contact in turn gets
+/// the impulse that its bodies need, given all others (Jean, CMAME 177 (1999) 235). Normal: v_n + gap/step >= 0;
 /// tangential: no slip, within Coulomb's cone. Each update takes kinetic energy or leaves it, but for the release of
 /// impacts. `width`: how many contacts are taken at once, 1, 4 or, where the processor has registers for it, 8; 0:
 /// what suits it best.
-void sweep(std::vector<Body>& bodies, std::vector<ContactBatch>& batches, std::size_t count, Direction direction,
-           Phase phase, int width = 0);
+void sweep(std::vector<Body>& bodies, Cluster& cluster, Direction direction, Phase phase, int width = 0);
 
 }  // namespace interphase::hard_sphere

@@ -90,7 +90,8 @@ void find_wall_contacts(Bodies& bodies, const std::vector<std::unique_ptr<walls:
                                 false,
                                 0,
                                 0,
-                                &materials.between(bodies.label[i].type, wall.type()),
+                                0,
+                                materials.between(bodies.label[i].type, wall.type()),
                                 -1 - static_cast<int>(w) - static_cast<int>(walls.size()) * point.element};
                 if (!point.velocity.isZero()) {
                     contact.j = static_cast<int>(bodies.body.size());

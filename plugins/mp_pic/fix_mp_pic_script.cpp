@@ -146,11 +146,11 @@ void FixMpPic::read_restitution()
     const auto law = [&](int a, int b) -> WallLaw& {
         return wall_laws_[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
     };
-    script::read_between_types(*lmp, *this, "coefficientRestitution", 1, [&](int a, int b, double e) {
+    script::read_between_types(*lmp, *this, "coefficientRestitution", {0, 1}, [&](int a, int b, double e) {
         law(a, b).normal_restitution = e;
         if (a == b) restitution_[static_cast<std::size_t>(a)] = e;
     });
-    script::read_between_types(*lmp, *this, "tangentialRestitution", 1,
+    script::read_between_types(*lmp, *this, "tangentialRestitution", {0, 1},
                                [&](int a, int b, double e) { law(a, b).tangential_restitution = e; });
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "atom.h"
+#include "base/text.hpp"
 #include "error.h"
 #include "fix_property_global.h"
 #include "input.h"
@@ -32,7 +33,7 @@ void refuse_other_integrators(LAMMPS_NS::LAMMPS& lmp, const LAMMPS_NS::Fix& fix)
     }
 }
 
-void read_between_types(LAMMPS_NS::LAMMPS& lmp, const LAMMPS_NS::Fix& fix, const char* name, double most,
+void read_between_types(LAMMPS_NS::LAMMPS& lmp, const LAMMPS_NS::Fix& fix, const char* name, const Bounds& bounds,
                         const std::function<void(int, int, double)>& take)
 {
     const int types = lmp.atom->ntypes;
@@ -46,11 +47,11 @@ void read_between_types(LAMMPS_NS::LAMMPS& lmp, const LAMMPS_NS::Fix& fix, const
     const double* const* values = static_cast<LAMMPS_NS::FixPropertyGlobal*>(property)->get_array();
     for (int a = 0; a < types; ++a)
         for (int b = 0; b < types; ++b) {
-            if (!(values[a][b] >= 0 && values[a][b] <= most))
+            if (!(values[a][b] >= bounds.least && values[a][b] <= bounds.most))
                 complain(lmp, fix,
                          ": fix property/global " + std::string(name) + " is " + std::to_string(values[a][b]) +
                              " between types " + std::to_string(a + 1) + " and " + std::to_string(b + 1) + "; give " +
-                             (most < 2 ? "0 to 1" : "0 or more"));
+                             text(bounds.least) + (bounds.most < unbounded ? " to " + text(bounds.most) : " or more"));
             take(a, b, values[a][b]);
         }
 }

@@ -14,9 +14,15 @@ namespace interphase::script {
 /// Nothing else moves the particles.
 void refuse_other_integrators(LAMMPS_NS::LAMMPS& lmp, const LAMMPS_NS::Fix& fix);
 
-/// Reads `fix ID all property/global NAME peratomtypepair ...`, a number from 0 to `most` for each pair of types:
+/// From `unbounded` on there is no bound worth a word.
+struct Bounds {
+    double least, most;
+};
+constexpr double unbounded = 1e30;
+
+/// Reads `fix ID all property/global NAME peratomtypepair ...`, a number within the bounds for each pair of types:
 /// `take` gets the two types, from 0, and the number.
-void read_between_types(LAMMPS_NS::LAMMPS& lmp, const LAMMPS_NS::Fix& fix, const char* name, double most,
+void read_between_types(LAMMPS_NS::LAMMPS& lmp, const LAMMPS_NS::Fix& fix, const char* name, const Bounds& bounds,
                         const std::function<void(int, int, double)>& take);
 
 /// LIGGGHTS sorts particles every 1000 steps if the script says nothing, and takes the bins' width from a pair style.

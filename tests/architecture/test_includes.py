@@ -20,8 +20,8 @@ ORDER = ["base", "exchange", "mapping", "forces", "momentum", "settings", "plugi
 ENGINES = ["openfoam", "liggghts"]
 FOR_PLUGINS = "plugin/plugin.hpp"
 
-# The folders of plugins/ that are none themselves but what plug-ins share.
-SHARED = ("script", "walls", "contacts")
+# The folders of plugins/ that plug-ins share: all but the last are none themselves, and that is what laws stand on.
+SHARED = ("script", "walls", "contacts", "hard_sphere")
 
 # LIGGGHTS's headers have plain names (atom.h, fix.h): all that LIGGGHTS installs are known by this folder's listing,
 # the ones the coupler would use by name where LIGGGHTS is installed elsewhere.

@@ -113,6 +113,28 @@ class WholePath(Bench):
         done = self.succeed("ctest", "--test-dir", build, "--output-on-failure", "--no-tests=error")
         self.assertIn("tests passed, 0 tests failed out of 2", done.stdout)
 
+    def test_a_law(self):
+        """With the build folder, and with an installation, where the solver is a library of its own; the plot; the bed."""
+        self.succeed(TOOL, "hard_ball", "--law")
+        plugin = os.path.join(self.root, "hard_ball")
+        build = self.configured(plugin, f"-Dinterphase_DIR={BUILD}")
+        self.succeed("ctest", "--test-dir", build, "--output-on-failure", "--no-tests=error")
+        self.succeed("/usr/bin/python3", os.path.join(plugin, "plot.py"), RUNNER=os.path.join(BUILD, "interphase-liggghts"))
+        self.assertTrue(os.path.isfile(os.path.join(plugin, "law.png")))
+
+        out = os.path.join(self.root, "out")
+        self.succeed(os.path.join(TOOLS, "run"), os.path.join(plugin, "case"), "--out", out, "--no-picture",
+                     INTERPHASE_BIN=os.path.join(BUILD, "interphase"))  # fmt: skip
+        run = Run(out)
+        self.assertIn("tdhs/hard_ball", run.meta["plugins"])
+        self.assertEqual(run.series["particles"].values[-1], run.meta["particles"], "no sphere was lost")
+        self.assertLess(abs(run.ledger["momentum_residual"].values).max(), 1e-12)
+
+        prefix = os.path.join(self.root, "prefix")
+        self.succeed("cmake", "--install", BUILD, "--prefix", prefix)
+        shutil.rmtree(build)
+        self.succeed("ctest", "--test-dir", self.configured(plugin, f"-DCMAKE_PREFIX_PATH={prefix}"), "--output-on-failure", "--no-tests=error")
+
     def test_with_an_installation(self):
         """An interphase in <prefix> and a plug-in installed into the same one, found by its name."""
         prefix = os.path.join(self.root, "prefix")

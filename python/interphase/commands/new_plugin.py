@@ -10,7 +10,16 @@ from interphase.input_error import InputError
 from interphase.tree import REPOSITORY, TOOLS
 
 TEMPLATE = os.path.join(TOOLS, "templates", "plugin")
-WITH_MEMORY = os.path.join(TOOLS, "templates", "plugin_with_memory")  # files in place of those of TEMPLATE, or beside them
+# Files in place of those of TEMPLATE, or beside them.
+WITH_MEMORY = os.path.join(TOOLS, "templates", "plugin_with_memory")
+LAW = os.path.join(TOOLS, "templates", "plugin_law")
+
+# What the two kinds put into the files that they share.
+FORCE_VALUES = {"SOURCE": "fix_@NAME@.cpp", "LIBRARY": "contacts", "WALL": "wall/@NAME@",
+                "COLLIDES": "fix             push all @NAME@/spheres\nfix             move all nve/sphere"}  # fmt: skip
+LAW_VALUES = {"SOURCE": "@NAME@.cpp", "LIBRARY": "hard_sphere", "WALL": "wall/tdhs/@NAME@",
+              "COLLIDES": "fix             yields all property/global yieldSpeed peratomtypepair 1 0.5\nfix             move all tdhs/@NAME@"}  # fmt: skip
+OF_FORCES = ("fix_@NAME@.cpp", "test_collisions.py")  # files of TEMPLATE that a law has no use for
 
 # CMake keeps these names of targets for itself.
 TAKEN = ("all", "clean", "edit_cache", "help", "install", "package", "rebuild_cache", "test")
@@ -21,7 +30,8 @@ EXAMPLE = """example:
 
 DIR then holds the source of a small collision style, its test, a script for LIGGGHTS alone, a case with gas, and a
 README.md with all commands. With --with-memory its contacts remember: a spring along the surfaces holds what friction
-can hold. plugins/README.md tells what a plug-in may do.
+can hold. With --law it is a law for the hard-sphere solver, e_n and friction as functions of a contact, with a plot of
+it. plugins/README.md tells what a plug-in may do.
 
 exit code: 0 when it is written, 2 where the name or the folder is refused."""
 
@@ -32,7 +42,9 @@ def arguments():
     )
     parser.add_argument("name", metavar="NAME", help="of the plug-in: lower-case letters, digits and '_'")
     parser.add_argument("folder", metavar="DIR", nargs="?", help="where to write it (default: ./NAME)")
-    parser.add_argument("--with-memory", action="store_true", help="a law whose contacts keep a state of their own while they last")
+    kind = parser.add_mutually_exclusive_group()
+    kind.add_argument("--law", action="store_true", help="a law of impacts for hard spheres instead of a force")
+    kind.add_argument("--with-memory", action="store_true", help="a law whose contacts keep a state of their own while they last")
     return parser.parse_args()
 
 
@@ -62,8 +74,8 @@ def checked_folder(given):
     return folder
 
 
-def write(template, folder, values):
-    """A template with @KEY@ replaced, in names and in texts."""
+def write(template, folder, values, without=()):
+    """A template with @KEY@ replaced, in names and in texts; values may hold keys that come after them. Files `without`."""
 
     def filled(text):
         for key, value in values.items():
@@ -74,7 +86,7 @@ def write(template, folder, values):
         folders[:] = [name for name in folders if name != "__pycache__"]
         target = os.path.join(folder, os.path.relpath(base, template))
         os.makedirs(target, exist_ok=True)
-        for file in files:
+        for file in set(files) - set(without):
             with open(os.path.join(base, file), encoding="utf-8") as stream:
                 text = stream.read()
             with open(os.path.join(target, filled(file)), "w", encoding="utf-8") as stream:
@@ -87,9 +99,11 @@ def main():
     folder = checked_folder(given.folder or name)
     build = os.path.join(REPOSITORY, "build", "release")
     try:
-        for template in (TEMPLATE, WITH_MEMORY) if given.with_memory else (TEMPLATE,):
-            write(template, folder, {"NAME": name, "METHOD": name.upper(), "CLASS": "".join(part.capitalize() for part in name.split("_")),
-                                     "INTERPHASE_BUILD": build, "INTERPHASE_TOOLS": TOOLS})  # fmt: skip
+        values = {**(LAW_VALUES if given.law else FORCE_VALUES), "NAME": name, "METHOD": name.upper(), "CLASS": "".join(part.capitalize() for part in name.split("_")),
+                  "INTERPHASE_BUILD": build, "INTERPHASE_TOOLS": TOOLS}  # fmt: skip
+        write(TEMPLATE, folder, values, without=OF_FORCES if given.law else ())
+        if given.law or given.with_memory:
+            write(LAW if given.law else WITH_MEMORY, folder, values)
     except OSError as error:
         raise InputError(f"{folder} cannot be written: {error}") from None
     print(f"{name} is in {folder}. Next:\n")

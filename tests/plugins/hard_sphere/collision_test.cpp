@@ -39,7 +39,7 @@ TEST(Collision, ConservesLinearAndAngularMomentum)
         Sphere a = sphere(draw(1e-3, 1e-2), draw(500, 3000), draw.vector(1), draw.vector(100));
         Sphere b = sphere(draw(1e-3, 1e-2), draw(500, 3000), draw.vector(1), draw.vector(100));
         const Vector normal = draw.vector(1).normalized();
-        const ContactLaw law{draw(0, 1), draw(0, 1), draw(0, 1)};
+        const Response response{draw(0, 1), draw(0, 1), draw(0, 1)};
         const Vector centre = (a.radius + b.radius) * normal;  // of b; a is at the origin
         const auto momentum = [&]() -> Vector { return a.velocity / a.inverse_mass + b.velocity / b.inverse_mass; };
         const auto angular = [&]() -> Vector {
@@ -47,7 +47,7 @@ TEST(Collision, ConservesLinearAndAngularMomentum)
         };
         const Vector p = momentum(), l = angular();
         const double size = a.velocity.norm() / a.inverse_mass + b.velocity.norm() / b.inverse_mass;
-        apply_impulse(a, b, normal, collision_impulse(a, b, normal, law));
+        apply_impulse(a, b, normal, collision_impulse(a, b, normal, response));
         EXPECT_LT((momentum() - p).norm(), round_off * size);
         EXPECT_LT((angular() - l).norm(), round_off * (l.norm() + centre.norm() * size));
     }
@@ -60,10 +60,10 @@ TEST(Collision, NormalVelocityComesBackTimesRestitution)
         const Vector normal = draw.vector(1).normalized();
         Sphere a = sphere(1e-3, 1000, normal + draw.vector(0.1), draw.vector(50));
         Sphere b = k % 2 ? wall() : sphere(2e-3, 2000, draw.vector(0.1), draw.vector(50));
-        const ContactLaw law{draw(0, 1), draw(0, 1), draw(0, 1)};
+        const Response response{draw(0, 1), draw(0, 1), draw(0, 1)};
         const double approach = contact_velocity(a, b, normal).dot(normal);
-        apply_impulse(a, b, normal, collision_impulse(a, b, normal, law));
-        EXPECT_NEAR(contact_velocity(a, b, normal).dot(normal), -law.restitution * approach, 1e-13);
+        apply_impulse(a, b, normal, collision_impulse(a, b, normal, response));
+        EXPECT_NEAR(contact_velocity(a, b, normal).dot(normal), -response.restitution * approach, 1e-13);
     }
 }
 
@@ -71,9 +71,9 @@ TEST(Collision, StickingContactReturnsSlipTimesTangentialRestitution)
 {
     const Vector normal = Vector::UnitX();
     Sphere a = sphere(1e-3, 1000, {1, 0.2, -0.1}, {20, -30, 10}), b = sphere(3e-3, 700, {-1, 0.1, 0}, {5, 0, 0});
-    const ContactLaw law{0.9, 0.6, 10};
+    const Response response{0.9, 0.6, 10};
     const Vector before = contact_velocity(a, b, normal);
-    apply_impulse(a, b, normal, collision_impulse(a, b, normal, law));
+    apply_impulse(a, b, normal, collision_impulse(a, b, normal, response));
     const Vector after = contact_velocity(a, b, normal);
     EXPECT_NEAR(after.y(), -0.6 * before.y(), 1e-13);
     EXPECT_NEAR(after.z(), -0.6 * before.z(), 1e-13);

@@ -62,7 +62,8 @@ class Spheres:
 @dataclass
 class Scene:
     """`low`, `high`: corners of the box [m]. e, et, mu: numbers for all materials, or [types, types]; the last type is the
-    walls'. `walls`: what follows `fix ID all wall/tdhs`. `before`: further lines ahead of fix tdhs; `words`: its options.
+    walls'. `walls`: what follows `fix ID all wall/tdhs`. `before`: further lines ahead of fix tdhs; `words`: its options. `law`: of the
+    plug-in `plugin`, the styles being tdhs/LAW and wall/tdhs/LAW.
     """
 
     spheres: Spheres
@@ -78,9 +79,15 @@ class Scene:
     boundary: str = "f f f"
     processors: str = "* 1 1"
     skin: float = 0.002
-    fixes: str = "fix hs all tdhs {words}\n"
+    fixes: str = "fix hs all {style} {words}\n"
     thermo: str = "step atoms ke v_hs_pairs v_hs_binary_collisions v_hs_cluster_contacts"
     properties: dict = field(default_factory=dict)
+    law: str = ""
+    plugin: str = os.path.join("plugins", "libhard_sphere.so")  # from the build folder on
+
+    @property
+    def style(self):
+        return "tdhs" + f"/{self.law}" * bool(self.law)
 
     def matrix(self, value):
         values = numpy.broadcast_to(numpy.asarray(value, float), (self.types, self.types))
@@ -102,8 +109,8 @@ class Scene:
                 lines += f"fix {name} all property/global {name} {values}\n"
         lines += self.before
         for k, wall in enumerate(self.walls):
-            lines += f"fix wall{k} all wall/tdhs {wall}\n"
-        return lines + self.fixes.format(words=self.words)
+            lines += f"fix wall{k} all wall/{self.style} {wall}\n"
+        return lines + self.fixes.format(words=self.words, style=self.style)
 
     def data(self):
         s = self.spheres
@@ -170,7 +177,7 @@ class HardSphereTest(unittest.TestCase):
         for name, text in {"in.liggghts": script, "spheres.data": scene.data()}.items() | (files or {}).items():
             with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
                 file.write(text)
-        command = [RUNNER, "-plugin", os.path.join(BUILD, "plugins", "libhard_sphere.so"), "-in", "in.liggghts"]
+        command = [RUNNER, "-plugin", os.path.join(BUILD, scene.plugin), "-in", "in.liggghts"]
         if ranks > 1:
             command = ["mpirun", "-np", str(ranks), "--oversubscribe", *command]
         done = subprocess.run(

@@ -159,7 +159,7 @@ TEST(WallContacts, AreThoseOfEverySphereWithEveryWall)
     walls.push_back(std::make_unique<walls::PlaneWall>(0, 0, 10.0));
     walls.push_back(std::make_unique<walls::PlaneWall>(0, 2, 10.05));
     walls.push_back(std::make_unique<walls::CylinderWall>(0, 2, 0.04, 10.05, 10.05));
-    const Materials materials(1);
+    const Materials materials(1, 0);
     const StepLimits limits{scene.step, scene.margin, scene.touching, 0, 0, 0, scene.fastest * scene.step};
     std::vector<Contact> found;
     find_wall_contacts(bodies, walls, materials, limits, found);
@@ -194,7 +194,7 @@ TEST(WallContacts, WithTrianglesTouchWhereAPlaneDoes)
     Scene scene = random_scene(2000, 5e-4, 3e-3, 0.1, 1.0);
     CellGrid grid;
     Bodies bodies = gathered(scene, grid, 2);
-    const Materials materials(1);
+    const Materials materials(1, 0);
     const StepLimits limits{scene.step, scene.margin, scene.touching, 0, 0, 0, scene.fastest * scene.step};
     std::vector<std::unique_ptr<walls::Wall>> plane, mesh;
     plane.push_back(std::make_unique<walls::PlaneWall>(0, 2, level));

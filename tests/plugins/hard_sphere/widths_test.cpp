@@ -4,12 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
+#include <memory>
 #include <random>
+#include <utility>
 
 #include "hard_sphere/collision.hpp"
 #include "hard_sphere/contact.hpp"
 #include "hard_sphere/contact_geometry.hpp"
+#include "hard_sphere/law_of.hpp"
 #include "hard_sphere/processor.hpp"
 #include "hard_sphere/sweep.hpp"
 
@@ -28,6 +32,21 @@ std::vector<int> widths()
     return {1, 4};
 }
 
+/// With all that a law may answer between two bodies.
+struct Rolling : ConstantRestitution {
+    template <class D>
+    struct Materials : ConstantRestitution::Materials<D> {
+        D rolling_friction;
+    };
+    static constexpr MaterialProperty properties[] = {{}, {}, {}, {}};
+
+    template <class D>
+    static D rolling_friction(const Materials<D>& materials, const Meeting<D>& meeting)
+    {
+        return materials.rolling_friction * (1 + 0.1 * meeting.speed);
+    }
+};
+
 struct Draw {
     std::mt19937 generator{11};
     double operator()(double low, double high) { return std::uniform_real_distribution<>(low, high)(generator); }
@@ -37,17 +56,32 @@ struct Draw {
 /// Pairs of spheres near each other, no sphere in two of them; `gap` [diameters] between `low` and `high`.
 struct Scene {
     Bodies bodies;
-    std::vector<ContactBatch> batches;
-    std::vector<BatchNotes> notes;
+    Cluster cluster;
     std::vector<Overlap> overlaps;
     StepLimits limits{step, 1e-4, 1e-5, 3e-6, 0.1, 1e-3, 2 * speed* step};
+    std::shared_ptr<AnyLaw> law;
 
     int pairs() const { return static_cast<int>(bodies.size() / 2); }
 
-    Scene(Draw& draw, std::size_t batch_count, double low, double high, const ContactLaw* law, double pushed = 0)
-        : batches(batch_count), notes(batch_count)
+    Scene(Draw& draw, std::size_t batch_count, double low, double high, const Response* response, double pushed = 0)
+        : Scene(draw, batch_count, low, high, response, pushed, std::make_shared<LawOf<ConstantRestitution>>())
+    {}
+
+    Scene(Draw& draw, std::size_t batch_count, double low, double high, const Response* response, double pushed,
+          std::shared_ptr<AnyLaw> law_)
+        : law(std::move(law_))
     {
         bodies.resize(2 * lanes * batch_count);
+        constexpr int types = 8;
+        Materials& materials = law->start(types);
+        cluster.rolls = law->rolls();
+        cluster.places.start(bodies.body.size());
+        for (int pair = 0; pair < types * types; ++pair) {
+            materials.number(pair, 0) = response ? response->restitution : draw(0, 1);
+            materials.number(pair, 1) = response ? response->tangential_restitution : draw(0, 1);
+            materials.number(pair, 2) = response ? response->friction : draw(0, 1);
+            if (law->rolls()) materials.number(pair, 3) = draw(0, 1);
+        }
         for (int pair = 0; pair < pairs(); ++pair) {
             const int i = 2 * pair, j = i + 1;
             const Vector normal = draw.vector(1).normalized(), middle = draw.vector(0.1);
@@ -55,15 +89,16 @@ struct Scene {
             const double distance = (r_i + r_j) * (1 + draw(low, high));
             put(i, middle, r_i, draw.vector(speed), draw.vector(100), draw, pushed);
             put(j, middle + distance * normal, r_j, draw.vector(speed), draw.vector(100), draw, pushed);
-            ContactBatch& batch = batches[static_cast<std::size_t>(pair / lanes)];
-            const int lane = pair % lanes;
+            const auto [k, lane] = cluster.places.place(i, j, false, false);
+            cluster.reach(k);
+            ContactBatch& batch = cluster.batches[k];
             batch.i[lane] = i;
             batch.j[lane] = j;
             for (auto& component : batch.tangential)
                 component[lane] = 0;
-            batch.friction[lane] = static_cast<float>(law ? law->friction : draw(0, 1));
-            batch.bounce[lane] = static_cast<float>(1 + (law ? law->restitution : draw(0, 1)));
-            batch.tangential_bounce[lane] = static_cast<float>(1 + (law ? law->tangential_restitution : draw(0, 1)));
+            BatchNotes& note = cluster.notes[k];
+            note.materials[lane] = pair % (types * types);
+            note.speed[lane] = 1;
         }
     }
 
@@ -81,13 +116,13 @@ struct Scene {
         bodies.body[b].inverse_inertia = 2.5 * bodies.body[b].inverse_mass / (radius * radius);
     }
 
-    void make(int width) { make_ready(bodies, batches, notes, batches.size(), limits, overlaps, width); }
+    void make(int width) { make_ready(bodies, cluster, *law, limits, overlaps, width); }
 
     /// As the solver does it: half of the passes compress, then restitution acts. Two bodies alone need one of each.
     void resolve(int width)
     {
         for (const Phase phase : {Phase::compression, Phase::compression, Phase::release, Phase::after_release})
-            sweep(bodies.body, batches, batches.size(), Direction::forward, phase, width);
+            sweep(bodies.body, cluster, Direction::forward, phase, width);
     }
 
     const Body& body(int k) const { return bodies.body[static_cast<std::size_t>(k)]; }
@@ -110,9 +145,10 @@ struct Scene {
         return {to_vector(b.velocity), to_vector(b.spin), bodies.path[static_cast<std::size_t>(k)].place.radius,
                 b.inverse_mass, b.inverse_inertia};
     }
+    const ContactBatch& batch_of(int pair) const { return cluster.batches[static_cast<std::size_t>(pair / lanes)]; }
     Vector normal(int pair) const
     {
-        const ContactBatch& batch = batches[static_cast<std::size_t>(pair / lanes)];
+        const ContactBatch& batch = batch_of(pair);
         const int lane = pair % lanes;
         return {batch.normal[0][lane], batch.normal[1][lane], batch.normal[2][lane]};
     }
@@ -123,9 +159,9 @@ void expect_alike(const Scene& one, const Scene& other, int width)
     const auto near = [&](float a, float b, double size, const char* what) {
         EXPECT_NEAR(a, b, single * size) << what << ", width " << width;
     };
-    for (std::size_t k = 0; k < one.batches.size(); ++k)
+    for (std::size_t k = 0; k < one.cluster.places.count(); ++k)
         for (int lane = 0; lane < lanes; ++lane) {
-            const ContactBatch &a = one.batches[k], &b = other.batches[k];
+            const ContactBatch &a = one.cluster.batches[k], &b = other.cluster.batches[k];
             for (int axis = 0; axis < 3; ++axis) {
                 near(a.normal[axis][lane], b.normal[axis][lane], 1, "normal");
                 near(a.tangential[axis][lane], b.tangential[axis][lane], a.mass[lane] * speed, "tangential impulse");
@@ -134,8 +170,15 @@ void expect_alike(const Scene& one, const Scene& other, int width)
             near(a.closing[lane], b.closing[lane], speed, "closing speed");
             near(a.impulse[lane], b.impulse[lane], a.mass[lane] * speed, "impulse");
             near(a.bounce[lane], b.bounce[lane], 1, "restitution");
+            near(a.tangential_bounce[lane], b.tangential_bounce[lane], 1, "tangential restitution");
+            near(a.friction[lane], b.friction[lane], 1, "friction");
             near(a.arm_i[lane], b.arm_i[lane], a.arm_i[lane], "arm");
-            near(one.notes[k].touch_time[lane], other.notes[k].touch_time[lane], step, "time");
+            near(one.cluster.notes[k].touch_time[lane], other.cluster.notes[k].touch_time[lane], step, "time");
+            if (!one.cluster.rolls) continue;
+            const RollingBatch &c = one.cluster.rolling[k], &d = other.cluster.rolling[k];
+            near(c.arm[lane], d.arm[lane], a.arm_i[lane], "rolling arm");
+            for (int axis = 0; axis < 3; ++axis)
+                near(c.couple[axis][lane], d.couple[axis][lane], a.mass[lane] * speed * a.arm_i[lane], "couple");
         }
     for (std::size_t k = 0; k < one.bodies.size(); ++k) {
         const Body &a = one.bodies.body[k], &b = other.bodies.body[k];
@@ -151,8 +194,11 @@ TEST(Widths, AgreeOnRandomPairs)
 {
     // gaps that close within the step or not, and overlaps; forces that decide whether an impact is one
     Draw draw;
-    for (const double gap : {-0.01, 0.0, 0.3}) {
-        const Scene start(draw, 50, gap - 0.01, gap + 0.1, nullptr, 0.02);
+    for (int k = 0; k < 6; ++k) {
+        const double gap = std::array{-0.01, 0.0, 0.3}[static_cast<std::size_t>(k / 2)];
+        const std::shared_ptr<AnyLaw> law = k % 2 ? std::shared_ptr<AnyLaw>(new LawOf<Rolling>)
+                                                  : std::shared_ptr<AnyLaw>(new LawOf<ConstantRestitution>);
+        const Scene start(draw, 50, gap - 0.01, gap + 0.1, nullptr, 0.02, law);
         Scene one = start;
         one.make(1);
         Scene ready = one;
@@ -171,24 +217,22 @@ TEST(Widths, AgreeOnRandomPairs)
 TEST(Widths, MakeOfAPairWhatTheContactOfTwoSpheresIs)
 {
     Draw draw;
-    const ContactLaw law{0.8, 0.6, 0.3};
-    Materials materials(1);
-    materials.between(0, 0) = law;
+    const Response response{0.8, 0.6, 0.3};
     for (const double gap : {-0.01, 0.0, 0.3})
         for (const int width : widths()) {
-            Scene scene(draw, 50, gap - 0.01, gap + 0.1, &law, 0.02);
+            Scene scene(draw, 50, gap - 0.01, gap + 0.1, &response, 0.02);
             const Bodies before = scene.bodies;
             scene.make(width);
             for (int pair = 0; pair < scene.pairs(); ++pair) {
                 const Contact contact =
-                    contact_of_spheres(before, {2 * pair, 2 * pair + 1, 0}, materials, scene.limits);
-                const ContactBatch& batch = scene.batches[static_cast<std::size_t>(pair / lanes)];
+                    contact_of_spheres(before, {2 * pair, 2 * pair + 1, 0}, scene.law->materials, scene.limits);
+                const ContactBatch& batch = scene.batch_of(pair);
                 const int lane = pair % lanes;
                 EXPECT_LT((scene.normal(pair) - contact.normal).norm(), single);
                 EXPECT_NEAR(batch.closing[lane], contact.closing, single * speed);
                 EXPECT_EQ(batch.bounce[lane] > 0, contact.impact);
-                EXPECT_NEAR(scene.notes[static_cast<std::size_t>(pair / lanes)].touch_time[lane], contact.touch_time,
-                            single * step);
+                EXPECT_NEAR(scene.cluster.notes[static_cast<std::size_t>(pair / lanes)].touch_time[lane],
+                            contact.touch_time, single * step);
             }
         }
 }
@@ -199,8 +243,8 @@ TEST(Widths, KeepMomentumAndEnergyByTheRestitution)
     Draw draw;
     for (const double e : {0.0, 0.6, 1.0})
         for (const int width : widths()) {
-            const ContactLaw law{e, 0, 0};
-            Scene scene(draw, 50, 0, 1e-3, &law);
+            const Response response{e, 0, 0};
+            Scene scene(draw, 50, 0, 1e-3, &response);
             scene.make(width);
             const Scene before = scene;
             scene.resolve(width);
@@ -211,8 +255,7 @@ TEST(Widths, KeepMomentumAndEnergyByTheRestitution)
                 const double size = a.velocity.norm() / a.inverse_mass + b.velocity.norm() / b.inverse_mass;
                 EXPECT_LT((scene.momentum(pair) - before.momentum(pair)).norm(), 1e-14 * size);  // in double precision
                 const double approach = (a.velocity - b.velocity).dot(n), mass = 1 / (a.inverse_mass + b.inverse_mass);
-                const bool impact =
-                    before.batches[static_cast<std::size_t>(pair / lanes)].bounce[pair % lanes] > 0 && approach > 0;
+                const bool impact = before.batch_of(pair).bounce[pair % lanes] > 0 && approach > 0;
                 met += impact;
                 const double lost = impact ? 0.5 * mass * (1 - e * e) * approach * approach : 0.0;
                 EXPECT_NEAR(before.energy(pair) - scene.energy(pair), lost, 10 * single * before.energy(pair));
@@ -229,15 +272,15 @@ TEST(Widths, GiveTwoSpheresAloneTheirCollision)
     for (const double e : {0.3, 0.9})
         for (const double friction : {0.05, 0.3, 10.0})
             for (const int width : widths()) {
-                const ContactLaw law{e, e, friction};
-                Scene scene(draw, 50, 0, 1e-3, &law);
+                const Response response{e, e, friction};
+                Scene scene(draw, 50, 0, 1e-3, &response);
                 scene.make(width);
                 const Scene before = scene;
                 scene.resolve(width);
                 for (int pair = 0; pair < scene.pairs(); ++pair) {
-                    if (before.batches[static_cast<std::size_t>(pair / lanes)].bounce[pair % lanes] == 0) continue;
+                    if (before.batch_of(pair).bounce[pair % lanes] == 0) continue;
                     Sphere a = before.sphere(2 * pair), b = before.sphere(2 * pair + 1);
-                    const Vector n = scene.normal(pair), impulse = collision_impulse(a, b, n, law);
+                    const Vector n = scene.normal(pair), impulse = collision_impulse(a, b, n, response);
                     const double change = impulse.norm() * std::max(a.inverse_mass, b.inverse_mass);
                     apply_impulse(a, b, n, impulse);
                     EXPECT_LT((a.velocity - scene.sphere(2 * pair).velocity).norm(), 10 * single * change);
@@ -254,7 +297,7 @@ TEST(Widths, TakeNoEnergyFromCompression)
         scene.limits.relief = 0;
         scene.make(width);
         const Scene before = scene;
-        sweep(scene.bodies.body, scene.batches, scene.batches.size(), Direction::backward, Phase::compression, width);
+        sweep(scene.bodies.body, scene.cluster, Direction::backward, Phase::compression, width);
         for (int pair = 0; pair < scene.pairs(); ++pair)
             EXPECT_LT(scene.energy(pair), before.energy(pair) * (1 + single));
     }

@@ -25,9 +25,8 @@ timestep        {STEP}
 fix             k all property/global kn peratomtypepair 1 1000.0
 fix             e all property/global coefficientRestitution peratomtypepair 1 {RESTITUTION}
 fix             mu all property/global coefficientFriction peratomtypepair 1 {FRICTION}
-fix             push all @NAME@/spheres
-fix             move all nve/sphere
-fix             floor all wall/@NAME@ primitive type 1 zplane 0.0
+@COLLIDES@
+fix             floor all @WALL@ primitive type 1 zplane 0.0
 dump            state all custom 100 states id x y z vx vy vz omegax omegay omegaz mass radius
 dump_modify     state sort id format "%d{11 * " %.17g"}"
 """
@@ -37,7 +36,7 @@ GRAVITY = "fix gravity all gravity 9.81 vector 0.0 0.0 -1.0\n"
 def sphere(number, diameter, density, x, v):
     """Lines that make a sphere of this number (the next one) at `x` [m] with `v` [m/s]."""
     return (f"create_atoms 1 single {x[0]} {x[1]} {x[2]} units box\nset atom {number} diameter {diameter} density {density}\n"
-            f"group g{number} id {number}\nvelocity g{number} set {v[0]} {v[1]} {v[2]} units box\n")  # fmt: skip
+            f"group one id {number}\nvelocity one set {v[0]} {v[1]} {v[2]} units box\ngroup one delete\n")  # fmt: skip
 
 
 def run(script, ranks=1):
