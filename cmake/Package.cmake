@@ -7,11 +7,11 @@ include(CMakePackageConfigHelpers)
 # of what plug-ins share, "contacts/...", "walls/...", "script/..." and "hard_sphere/...".
 # Links, so that whoever sees the coupler's folder, too, sees one file and not two.
 set(_root "${PROJECT_BINARY_DIR}/include/interphase")
-set(_headers plugin/plugin.hpp plugin/solid_stress.hpp plugin/wall_gaps.hpp plugin/fingerprint.hpp base/vector.hpp base/text.hpp base/problem.hpp base/exit_code.hpp)
+set(_headers plugin/plugin.hpp plugin/solid_stress.hpp plugin/wall_gaps.hpp plugin/method.hpp plugin/counter.hpp plugin/fingerprint.hpp base/vector.hpp base/text.hpp base/problem.hpp base/exit_code.hpp)
 set(_shared_headers contacts/fix_contacts.hpp contacts/fix_contacts_with_memory.hpp contacts/contact.hpp contacts/contact_memory.hpp
-    contacts/cells.hpp contacts/ghost_reach.hpp walls/fix_wall.hpp walls/wall.hpp walls/triangle_wall.hpp walls/place.hpp script/script.hpp
+    contacts/cells.hpp contacts/ghost_reach.hpp walls/fix_wall.hpp walls/wall_set.hpp walls/wall.hpp walls/triangle_wall.hpp walls/place.hpp script/script.hpp
     hard_sphere/any_law.hpp hard_sphere/attraction.hpp hard_sphere/batch_builder.hpp hard_sphere/bodies.hpp hard_sphere/cell_grid.hpp hard_sphere/cluster.hpp hard_sphere/contact.hpp
-    hard_sphere/contact_batch.hpp hard_sphere/contact_solver.hpp hard_sphere/cost.hpp hard_sphere/effort.hpp hard_sphere/fix_tdhs.hpp
+    hard_sphere/contact_batch.hpp hard_sphere/contact_solver.hpp hard_sphere/cost.hpp hard_sphere/counters.hpp hard_sphere/effort.hpp hard_sphere/fix_tdhs.hpp
     hard_sphere/fix_tdhs_of.hpp hard_sphere/fix_wall_tdhs.hpp hard_sphere/impact.hpp hard_sphere/impulse_memory.hpp
     hard_sphere/lane_numbers.hpp hard_sphere/lanes.hpp hard_sphere/law.hpp hard_sphere/law_check.hpp hard_sphere/law_functions.hpp hard_sphere/law_of.hpp hard_sphere/material.hpp
     hard_sphere/pair_search.hpp hard_sphere/processor.hpp hard_sphere/response.hpp hard_sphere/step_limits.hpp hard_sphere/sweep.hpp)

@@ -4,18 +4,20 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/exit_code.hpp"
 #include "base/stop_together.hpp"
 #include "base/version.hpp"
-#include "engines/liggghts/solids/liggghts_solids.hpp"
+#include "engines/liggghts/plugins/plugin_opener.hpp"
+#include "engines/liggghts/solids/liggghts_maker.hpp"
 #include "engines/openfoam/foam_case.hpp"
 #include "run/count_page.hpp"
 #include "run/coupled_run.hpp"
 #include "settings/key_page.hpp"
+#include "settings/method_page.hpp"
 #include "settings/read_settings.hpp"
 
 namespace {
@@ -34,6 +36,8 @@ Runs a coupled case: LIGGGHTS for the particles, OpenFOAM for the gas.
   -help                OpenFOAM's options as well
   -help keys           the keys of system/couplingDict
   -help counts         what a run counts, and when to worry
+  -help methods        the collision methods, LIGGGHTS's and those of plug-ins at hand
+  -help methods PLUGIN ...   those of LIGGGHTS and of these plug-ins, by name or path; counts likewise
   -version             version, commit, compiler, engines
 
 A case is a folder with system/controlDict, system/couplingDict, a mesh, fields in 0/, and a LIGGGHTS script. tools/run
@@ -49,10 +53,15 @@ bool asks_for_usage(int argc, char** argv)
 /// The page that is asked for; empty where none is.
 std::string page_asked_for(int argc, char** argv)
 {
-    if (argc != 3 || std::string(argv[1]) != "-help") return "";
+    using namespace interphase;
+    if (argc < 3 || std::string(argv[1]) != "-help") return "";
     const std::string about = argv[2];
-    if (about == "keys") return interphase::key_page(interphase::setting_keys());
-    return about == "counts" ? interphase::count_page(interphase::LiggghtsSolids::count_kinds()) : "";
+    if (about == "keys" && argc == 3) return key_page(setting_keys(LiggghtsMaker()));
+    if (about != "methods" && about != "counts") return "";
+    const std::vector<OpenPlugin> plugins =
+        argc == 3 ? open_plugins_at_hand() : open_plugins(Communicator(), {argv + 3, argv + argc}, "command line");
+    return about == "methods" ? method_page(methods_of(plugins))
+                              : count_page(LiggghtsSolids::count_kinds(), counts_of(plugins));
 }
 
 void show(const std::string& page)
@@ -67,13 +76,8 @@ int couple(int argc, char** argv)
 {
     using namespace interphase;
     FoamCase gas_case(argc, argv);
-    CoupledRun run(
-        gas_case,
-        [&gas_case](const Communicator& comm, const Settings& settings) {
-            return std::make_unique<LiggghtsSolids>(comm, settings,
-                                                    LaterStart{gas_case.time(), gas_case.options().resumes});
-        },
-        gas_case.options());
+    const LiggghtsMaker liggghts(LaterStart{gas_case.time(), gas_case.options().resumes});
+    CoupledRun run(gas_case, liggghts, gas_case.options());
     return run.run();
 }
 

@@ -36,12 +36,14 @@ std::optional<double> weighed_share(const Count& count, const Wholes& wholes)
 
 std::string verdict(const Count& count, const Wholes& wholes)
 {
-    if (count.number == 0) return "";
+    if (count.value == 0) return "";
     switch (count.kind->worry) {
         case Worry::never:
             return "ordinary";
         case Worry::any:
             return "look at it";
+        case Worry::above:
+            return count.value > count.kind->limit ? "look at it" : "ordinary";
         case Worry::share:
             break;
     }
@@ -88,6 +90,14 @@ std::string with_separators(long number)
         digits.insert(at, ",");
     }
     return digits;
+}
+
+std::string amount(const Count& count)
+{
+    if (*count.kind->unit == '\0') return with_separators(count.number);
+    char text[48];
+    std::snprintf(text, sizeof text, "%.3g %s", count.value, count.kind->unit);
+    return text;
 }
 
 }  // namespace interphase

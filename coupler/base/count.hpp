@@ -20,6 +20,7 @@ struct Wholes {
 enum class Worry {
     share,  ///< above `tolerable_share`, weighed with how far off each is
     any,    ///< as soon as there is one
+    above,  ///< the `limit` of its kind
     never
 };
 
@@ -36,8 +37,10 @@ struct CountKind {
     Whole whole;
     const char* meaning;  ///< what happened, in sentences
     Worry worry;
-    const char* reason;  ///< why it may be let be, or not: with a measurement
-    const char* remedy;  ///< what to do about it; empty where there is nothing
+    const char* reason;     ///< why it may be let be, or not: with a measurement
+    const char* remedy;     ///< what to do about it; empty where there is nothing
+    double limit = 0;       ///< for Worry::above
+    const char* unit = "";  ///< of something that is measured, not counted
 };
 
 /// Something that was counted since the start, and is told: a range that was left, a clamp, a step that was too long.
@@ -45,8 +48,17 @@ struct Count {
     Count(const CountKind& of, long how_many, double how_far_off) : kind(&of), number(how_many), off(how_far_off) {}
     Count(const CountKind& of, long how_many) : Count(of, how_many, static_cast<double>(how_many)) {}
 
+    /// Of something that is measured, or counted in broken numbers.
+    static Count measured(const CountKind& of, double value)
+    {
+        Count count(of, static_cast<long>(value));
+        count.value = value;
+        return count;
+    }
+
     const CountKind* kind;
     long number;
+    double value = static_cast<double>(number);  ///< the same
     double off;  ///< how far each of them is off, relative to itself, summed up; where nobody knows, 1 each
 };
 
@@ -67,5 +79,8 @@ std::string percent(double share);
 
 /// "241,021".
 std::string with_separators(long number);
+
+/// The same of a count, or "0.031 d" of what has a unit.
+std::string amount(const Count& count);
 
 }  // namespace interphase

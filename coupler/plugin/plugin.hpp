@@ -28,7 +28,9 @@
 #include "neigh_list.h"
 #include "neigh_request.h"
 #include "neighbor.h"
+#include "plugin/counter.hpp"
 #include "plugin/fingerprint.hpp"
+#include "plugin/method.hpp"
 #include "plugin/solid_stress.hpp"
 #include "plugin/wall_gaps.hpp"
 #include "pointers.h"
@@ -37,7 +39,7 @@
 namespace interphase {
 
 /// Changes whenever a plug-in built before could be misread or misused.
-constexpr std::uint32_t plugin_interface_version = 4;
+constexpr std::uint32_t plugin_interface_version = 5;
 
 /// A fix style that the plug-in brings: as a script writes it, and what makes one.
 struct PluginStyle {
@@ -68,6 +70,17 @@ static_assert(std::is_standard_layout_v<PluginDescriptor> && std::is_trivial_v<P
 constexpr const char* plugin_entry_point = "interphase_plugin";
 using PluginEntryPoint = const PluginDescriptor* (*)();
 
+/// What else a plug-in may bring: a list, by a C function of its own.
+template <class Item>
+struct PluginList {
+    std::uint64_t count;
+    const Item* items;
+};
+constexpr const char* plugin_methods_entry_point = "interphase_plugin_methods";
+using PluginMethodsEntryPoint = const PluginList<PluginMethod>* (*)();
+constexpr const char* plugin_counters_entry_point = "interphase_plugin_counters";
+using PluginCountersEntryPoint = const PluginList<Counter>* (*)();
+
 // --- what a fix of a plug-in may tell the coupler, by LIGGGHTS's own Fix::extract(name, dimension)
 // -----------------------
 
@@ -88,6 +101,10 @@ constexpr const char* extract_takes_new_forces = "takes_new_forces";
 /// change it afterwards. Without a word the coupler takes it that they move after half a kick by the last step's
 /// forces, as LIGGGHTS's own integrators do it. It predicts from that how far the solids move in a gas step.
 constexpr const char* extract_moves_before_forces = "moves_before_forces";
+
+/// CounterValues*: of the plug-in's counters, all of them (plugin/counter.hpp). Asked for now and then, at no cost
+/// between.
+constexpr const char* extract_counters = "counters";
 
 // --- what the macro below is made of
 // ------------------------------------------------------------------------------------
@@ -143,6 +160,18 @@ static inline auto build_facts()
         {"size of NeighList [bytes]", nullptr, sizeof(LAMMPS_NS::NeighList)},
         {"size of NeighRequest [bytes]", nullptr, sizeof(LAMMPS_NS::NeighRequest)},
         {"size of Update [bytes]", nullptr, sizeof(LAMMPS_NS::Update)},
+        {"size of PluginMethod [bytes]", nullptr, sizeof(PluginMethod)},
+        {"members of PluginMethod (fingerprint)", nullptr,
+         fingerprint_of(&PluginMethod::name, &PluginMethod::about, &PluginMethod::tracks_parcels,
+                        &PluginMethod::parcels_instead, &PluginMethod::single_collisions,
+                        &PluginMethod::contacts_resolved, &PluginMethod::pair_style_borne,
+                        &PluginMethod::per_collision)},
+        {"size of Counter [bytes]", nullptr, sizeof(Counter)},
+        {"members of Counter (fingerprint)", nullptr,
+         fingerprint_of(&Counter::key, &Counter::text, &Counter::unit, &Counter::over_ranks, &Counter::worry_above,
+                        &Counter::meaning, &Counter::reason, &Counter::remedy)},
+        {"members of CounterValues (fingerprint)", nullptr,
+         fingerprint_of(&CounterValues::count, &CounterValues::values)},
         {"size of StressState [bytes]", nullptr, sizeof(StressState)},
         {"members of StressState (fingerprint)", nullptr,
          fingerprint_of(&StressState::gradient, &StressState::solid_fraction, &StressState::mean_velocity,
@@ -180,4 +209,24 @@ LAMMPS_NS::Fix* create(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
             interphase::plugin_interface_version, facts.size(), facts.data(), plugin_name,                    \
             sizeof styles / sizeof styles[0],     styles};                                                    \
         return &descriptor;                                                                                   \
+    }
+
+/// The methods that the plug-in brings (plugin/method.hpp), as interphase::method("NAME", "who collides")...; once,
+/// beside INTERPHASE_PLUGIN.
+#define INTERPHASE_METHODS(...)                                                                               \
+    extern "C" __attribute__((visibility("default"))) const interphase::PluginList<interphase::PluginMethod>* \
+    interphase_plugin_methods()                                                                               \
+    {                                                                                                         \
+        static constexpr interphase::PluginMethod methods[] = {__VA_ARGS__};                                  \
+        static constexpr interphase::PluginList<interphase::PluginMethod> list{std::size(methods), methods};  \
+        return &list;                                                                                         \
+    }
+
+/// What its fixes count (plugin/counter.hpp): the name of a constexpr array of Counter; once, beside INTERPHASE_PLUGIN.
+#define INTERPHASE_COUNTERS(counters)                                                                     \
+    extern "C" __attribute__((visibility("default"))) const interphase::PluginList<interphase::Counter>*  \
+    interphase_plugin_counters()                                                                          \
+    {                                                                                                     \
+        static constexpr interphase::PluginList<interphase::Counter> list{std::size(counters), counters}; \
+        return &list;                                                                                     \
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/count_page.hpp"
 
+#include <cstdio>
+
 #include "base/engine_warnings.hpp"
 #include "forces/drag/drag_counts.hpp"
 #include "forces/terms.hpp"
@@ -15,6 +17,11 @@ std::string when(const CountKind& kind)
     switch (kind.worry) {
         case Worry::any:
             return "Look at it as soon as there is one.";
+        case Worry::above: {
+            char limit[64];
+            std::snprintf(limit, sizeof limit, "Look at it above %g %s.", kind.limit, kind.unit);
+            return limit;
+        }
         case Worry::never:
             return "It is ordinary.";
         case Worry::share:
@@ -47,13 +54,13 @@ CountKinds counts_of_the_step()
     return all;
 }
 
-std::string count_page(const CountKinds& of_engines)
+std::string count_page(const CountKinds& of_engines, const std::vector<CountKind>& of_plugins)
 {
     std::string page =
         "# What a run counts\n\nAs `interphase -help counts` prints it. Ranges that were left, clamps and steps that "
         "were too long are counted from the start of a run, over its resumes, and stand at the end of the screen's "
         "output: the number, what share it is, and whether to look at it. `/ledger` of `results.h5` has most of them "
-        "step by step.\n\nWhere a share decides, the limit is " +
+        "step by step; those of a plug-in's fixes stand in `/counters`.\n\nWhere a share decides, the limit is " +
         percent(tolerable_share) +
         ": what is off in a hundredth of all places and steps, and there by no more than its own size, moves a mean "
         "over all of them by at most 1 %. The drop of `cases/sscp1`, a mean that is known well, has a standard error "
@@ -63,6 +70,8 @@ std::string count_page(const CountKinds& of_engines)
         page += "\n" + part(*kind);
     for (const CountKind* kind : of_engines)
         page += "\n" + part(*kind);
+    for (const CountKind& kind : of_plugins)
+        page += "\n" + part(kind);
     return page + "\n" + part(warnings_of_engine);
 }
 

@@ -30,15 +30,16 @@ const char* gas_description(const Settings& settings)
 
 }  // namespace
 
-CoupledRun::CoupledRun(GasCase& gas_case, const MakeParticleEngine& make_particles, const RunOptions& options)
+CoupledRun::CoupledRun(GasCase& gas_case, const ParticleEngineMaker& engines, const RunOptions& options)
     : case_(gas_case),
-      settings_(read_settings(case_.coupling_dict(), case_.scene_parameters(), std::filesystem::current_path())),
+      settings_(
+          read_settings(case_.coupling_dict(), case_.scene_parameters(), std::filesystem::current_path(), engines)),
       report_(comm_.is_master(), case_.time(), case_.end_time()),
       wall_limit_(options.wall_limit),
       checkpoint_schedule_(settings_, case_.time())
 {
     if (settings_.gas != GasModel::none) gas_ = case_.make_gas(settings_);
-    solids_ = make_particles(comm_, settings_);
+    solids_ = engines.make(comm_, settings_);
     at_start_ = counted(comm_, solids_->particles());
     if (at_start_.tracked == 0) at_start_.lowest_weight = at_start_.highest_weight = settings_.weight;
     refuse_empty_scene();
@@ -98,7 +99,7 @@ void CoupledRun::describe_run()
     const std::optional<double> contact = solids_->contact_duration();
     report_.head({{"interphase", solids_->version() + ", " + case_.engine()},
                   {"case", case_.name()},
-                  {"method", name_of(settings_.method)},
+                  {"method", settings_.method.name},
                   {"particles", numbers_of(at_start_, solids_->radii_to_come())},
                   {"plug-ins", solids_->plugins()},
                   {"gas", std::string(gas_description(settings_)) + (gas_ ? ", drag " + settings_.drag_law : "")},
@@ -181,6 +182,10 @@ void CoupledRun::step()
     const GasStep planned = clock_.next(wanted_gas_step(), case_.end_time() - case_.time());
     gas_step_ = planned.duration;
     const double start = case_.time();
+    stopwatch_.switch_to(Phase::solids);
+    for (const std::string& done : solids_->begin_gas_step(start))
+        report_.note("t = " + text(start) + " s: " + done);
+    stopwatch_.switch_to(Phase::gas);
     case_.advance_time(planned.duration);
     if (coupling_) {
         try {
@@ -263,13 +268,14 @@ void CoupledRun::finish()
         if (settings_.two_way) summary.balances = coupling_->ledger().accounts();
         summary.counts = coupling_->counts();
     }
-    for (const Count& count : solids_->counts())
-        summary.counts.push_back(count);
+    const std::vector<Count> counters = solids_->counters();
+    for (const std::vector<Count>& of_particles : {solids_->counts(), counters})
+        summary.counts.insert(summary.counts.end(), of_particles.begin(), of_particles.end());
     std::vector<Count> warnings;
     for (const EngineWarnings* of : warners())
         warnings.push_back(of->count(comm_));
     summary.counts.insert(summary.counts.end(), warnings.begin(), warnings.end());
-    records_->describe_end({stopped_by(), summary.spent, warnings});
+    records_->describe_end({stopped_by(), summary.spent, warnings, counters});
     report_.summary(summary);
 }
 

@@ -26,7 +26,7 @@ namespace interphase {
 class CoupledRun {
 public:
     /// Throws a UserError for a case that cannot run. Collective, as are all members.
-    CoupledRun(GasCase& gas_case, const MakeParticleEngine& make_particles, const RunOptions& options = {});
+    CoupledRun(GasCase& gas_case, const ParticleEngineMaker& engines, const RunOptions& options = {});
 
     /// Returns the exit code: of the end time, of the limit of wall-clock time, or of the signal that ended it after a
     /// step (run/signal_requests.hpp). Throws a UserError if the run cannot go on; what was recorded so far is kept.

@@ -26,7 +26,7 @@ void CoupledRun::check_given_step() const
     const double step = settings_.solid_step;
     constexpr double slack = 1 + 1e-9;
     constexpr double least_steps = 10;  // per collision; 10 to 60 are usual (paper, section 4.6)
-    if (resolves_contacts(settings_.method) && contact && step > *contact / least_steps * slack)
+    if (settings_.method.resolves_contacts && contact && step > *contact / least_steps * slack)
         throw UserError("the solid step of " + text(step) +
                             " s is too long for the contact model: its shortest "
                             "collision lasts t_c = " +
@@ -36,7 +36,7 @@ void CoupledRun::check_given_step() const
                             " s (t_c/20 is a good start), or make the contacts softer");
     constexpr double largest_share = 0.4;  // 0.2 in dense, 0.4 in loose packings are usual
     const std::optional<double> rayleigh = solids_->rayleigh_time();
-    if (resolves_contacts(settings_.method) && rayleigh && step > largest_share * *rayleigh * slack)
+    if (settings_.method.resolves_contacts && rayleigh && step > largest_share * *rayleigh * slack)
         throw UserError(
             "the solid step of " + text(step) + " s is " + text(100 * step / *rayleigh) + " % of Rayleigh's time of " +
                 text(*rayleigh) + " s, of the sphere that an elastic wave crosses first",
@@ -56,7 +56,7 @@ void CoupledRun::check_given_step() const
 double CoupledRun::longest_solid_step() const
 {
     // eq. 28 of the paper: no longer than a gas step; what else it asks for is counted in every step
-    if (settings_.method == Method::mp_pic) return case_.gas_step();
+    if (!settings_.method.single_collisions) return case_.gas_step();
     if (settings_.largest_overlap > 0)
         return settings_.largest_overlap * solids_->smallest_diameter() / settings_.impact_speed;
     if (const std::optional<double> contact = solids_->contact_duration())
@@ -65,7 +65,7 @@ double CoupledRun::longest_solid_step() const
     const std::optional<double> rayleigh = solids_->rayleigh_time();
     const std::string hint = rayleigh ? ", say " + text(0.2 * *rayleigh) + ", 20 % of Rayleigh's time"
                                       : std::string(" (known: pair gran model hooke/stiffness)");
-    if (resolves_contacts(settings_.method))
+    if (settings_.method.resolves_contacts)
         throw UserError("the contact model gives no collision time to derive the solid step from",
                         "system/couplingDict.particles", "give `solidStep` in seconds" + hint);
     throw UserError(
@@ -86,22 +86,19 @@ void CoupledRun::check_weights() const
     const ParticleView particles = solids_->particles();
     comm_.fail_together(particle_trouble(particles, comm_.rank()));
     for (const double weight : solids_->weights_to_come())
-        if (!(weight >= 1) || (weight > 1 && !tracks_parcels(settings_.method)))
+        if (!(weight >= 1) || (weight > 1 && !settings_.method.tracks_parcels))
             throw UserError("the script inserts particles with a weight of " + text(weight) +
-                                (weight > 1 ? ", and method " + name_of(settings_.method) + " tracks real particles"
+                                (weight > 1 ? ", and method " + settings_.method.name + " tracks real particles"
                                             : ": at least 1 real particle is in a tracked one"),
                             settings_.script + ", `set_property weight` of a fix insert/*",
-                            weight > 1 ? std::string("give it the weight 1, or take method ") +
-                                             (settings_.method == Method::dem ? "CGPM" : "CGHS")
+                            weight > 1 ? or_with_parcels("give it the weight 1", settings_.method)
                                        : "give it a weight of 1 or more");
     if (!particles.weight.differ()) return;
-    const std::string where = settings_.script + ", fix property/atom weight", method = name_of(settings_.method);
-    if (!tracks_parcels(settings_.method) && at_start_.highest_weight > 1)
+    const std::string where = settings_.script + ", fix property/atom weight", method = settings_.method.name;
+    if (!settings_.method.tracks_parcels && at_start_.highest_weight > 1)
         throw UserError("the script gives particles weights up to " + text(at_start_.highest_weight) + ", and method " +
                             method + " tracks real particles",
-                        where,
-                        std::string("leave the property away, or take method ") +
-                            (settings_.method == Method::dem ? "CGPM" : "CGHS"));
+                        where, or_with_parcels("leave the property away", settings_.method));
     bool used = settings_.weight == 1 || at_start_.tracked == 0;
     for (std::size_t i = 0; i < particles.size() && !used; ++i)
         used = particles.weight[i] == settings_.weight;

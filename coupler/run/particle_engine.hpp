@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +10,7 @@
 #include "base/communicator.hpp"
 #include "base/count.hpp"
 #include "base/engine_warnings.hpp"
+#include "settings/method.hpp"
 #include "settings/settings.hpp"
 #include "step/solids.hpp"
 
@@ -64,6 +64,10 @@ public:
     /// Sets the step [s] and readies the run of about `steps` steps, with or without a gas. Collective.
     virtual void start(double solid_step, long steps, bool with_gas) = 0;
 
+    /// A gas step begins at `time` [s]: does what the case has for it by then. Returns what it did, in words.
+    /// Collective.
+    virtual std::vector<std::string> begin_gas_step(double /*time*/) { return {}; }
+
     /// The end has moved: about `steps` steps are left. After start(). Collective.
     virtual void end_after(long steps) = 0;
 
@@ -74,10 +78,18 @@ public:
     /// What is counted of it. Collective.
     virtual std::vector<Count> counts() const { return {}; }
 
+    /// What fixes of plug-ins count and measure of themselves, always the same kinds. Collective.
+    virtual std::vector<Count> counters() const { return {}; }
+
     /// What it warned of so far; null where it has no words of its own.
     virtual EngineWarnings* warnings() { return nullptr; }
 };
 
-using MakeParticleEngine = std::function<std::unique_ptr<ParticleEngine>(const Communicator&, const Settings&)>;
+/// Makes the engine of the particles once the case's settings are read, for which it tells the methods.
+class ParticleEngineMaker : public MethodSource {
+public:
+    /// Collective.
+    virtual std::unique_ptr<ParticleEngine> make(const Communicator& comm, const Settings& settings) const = 0;
+};
 
 }  // namespace interphase

@@ -40,9 +40,9 @@ void tell_counts(const Report::Summary& of)
     bool some = false;
     for (const Count& count : of.counts) {
         const std::optional<double> share = share_of(count, of.wholes);
-        const bool any = count.number > 0;
+        const bool any = count.value > 0;
         some = some || any;
-        std::printf("    %-43s %12s", count.kind->text, with_separators(count.number).c_str());
+        std::printf("    %-43s %12s", count.kind->text, amount(count).c_str());
         if (any)
             std::printf(" %10s   %s", share ? share_in_percent(*share).c_str() : "", verdict(count, of.wholes).c_str());
         std::printf("\n");
@@ -94,6 +94,11 @@ void Report::progress(double time, const Observation& seen)
                     seen.gas->courant_number);
     std::printf("particles %ld\n", seen.particles);
     std::fflush(stdout);
+}
+
+void Report::note(const std::string& message) const
+{
+    if (prints_) std::printf("%s\n", message.c_str());
 }
 
 void Report::warn(const std::string& message) const

@@ -27,6 +27,9 @@ public:
     void progress(double time, const Observation& seen);
     bool progress_due() const;
 
+    /// What happened.
+    void note(const std::string& message) const;
+
     /// To standard error.
     void warn(const std::string& message) const;
 

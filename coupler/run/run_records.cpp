@@ -87,7 +87,7 @@ void RunRecords::describe(double solid_step, double gas_step)
 {
     const auto& [comm, settings, gas_case, solids, gas, coupling, without_gas, at_start, processor] = scene_;
     results_.describe("/meta", "case", gas_case.name());
-    results_.describe("/meta", "method", name_of(settings.method));
+    results_.describe("/meta", "method", settings.method.name);
     results_.describe("/meta", "plugins", solids.plugins());
     results_.describe("/meta", "ranks", comm.size());
     results_.describe("/meta", "particles_at_start", static_cast<double>(at_start.tracked));
@@ -171,6 +171,7 @@ void RunRecords::record(const Moment& moment)
         if (row_due) {
             results_.add_row("/series", last_seen_.row(now));
             add_processor_time_row();
+            add_counters_row();
         }
     }
     rows_.pass(now, moment.gas_step);
@@ -201,6 +202,16 @@ void RunRecords::add_processor_time_row()
     for (std::size_t phase = 0; phase < phase_names.size(); ++phase)
         row.push_back({phase_names[phase].data(), "s", seconds[phase]});
     results_.add_row("/processor_time", row);
+}
+
+void RunRecords::add_counters_row()
+{
+    const std::vector<Count> counters = scene_.solids.counters();
+    if (counters.empty()) return;
+    std::vector<Results::Entry> row{{"time", "s", scene_.gas_case.time()}};
+    for (const Count& count : counters)
+        row.push_back({count.kind->key, *count.kind->unit ? count.kind->unit : "1", count.value});
+    results_.add_row("/counters", row);
 }
 
 void RunRecords::take_statistics(const Moment& moment)
@@ -266,6 +277,8 @@ void RunRecords::describe_end(const Ending& ending)
     }
     for (const Count& count : ending.warnings)
         results_.describe("/meta", count.kind->key, static_cast<double>(count.number));
+    for (const Count& count : ending.counters)
+        results_.describe("/counters", count.kind->key, count.value);
     describe_population();
     results_.describe("/meta", "peak_memory", scene_.comm.sum(peak_memory()));
     if (statistics_) results_.describe("/statistics", "wall_time", scene_.comm.max(statistics_->seconds()));

@@ -70,6 +70,7 @@ public:
         std::string stopped_by;  ///< empty at the end time
         SpentTime spent;
         std::vector<Count> warnings;  ///< of the engines
+        std::vector<Count> counters;  ///< of plug-ins
     };
     void describe_end(const Ending& ending);
 
@@ -82,6 +83,7 @@ public:
 private:
     void describe_population();
     void add_processor_time_row();
+    void add_counters_row();
     void take_statistics(const Moment& moment);
     void add_tap_row();
     Problem full_disk() const;

@@ -25,6 +25,8 @@ public:
     virtual std::optional<std::string> text(const std::string& key) const = 0;
     /// (one "another/one"); the environment's variables are put in for $NAME, the home folder for ~.
     virtual std::optional<std::vector<std::string>> names(const std::string& key) const = 0;
+    /// The same with all texts as they are written.
+    virtual std::optional<std::vector<std::string>> texts(const std::string& key) const = 0;
     /// ((x y z) (x y z)).
     virtual std::optional<std::vector<Vector>> points(const std::string& key) const = 0;
     /// The entries in braces; null where there are none.

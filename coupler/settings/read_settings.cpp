@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "settings/read_settings.hpp"
 
+#include <algorithm>
+
 #include "base/text.hpp"
 #include "forces/drag/drag_law.hpp"
 #include "forces/terms.hpp"
@@ -11,46 +13,56 @@ namespace interphase {
 
 namespace {
 
-void read_method(Reader& dict, Settings& settings)
+std::vector<std::string> names_of(const Methods& methods)
 {
-    Reader::Choices<Method> methods;
-    for (const Method method : all_methods)
-        methods.emplace_back(name_of(method), method);
-    dict.choice({"method",
-                 "who handles collisions: pair styles of LIGGGHTS (DEM, CGPM), hard spheres (TDHS, CGHS), a stress of "
-                 "the solids (MPPIC), a plug-in of your own (PLUGIN)"},
-                settings.method, methods);
-    dict.number({"weight", "real particles per tracked one, unless the script gives each its own"}, settings.weight,
-                at_least(1));
-    const std::string method = name_of(settings.method);
-    if (!tracks_parcels(settings.method) && settings.weight != 1)
-        throw dict.complaint(
-            "weight", "`weight " + text(settings.weight) + ";` with method " + method + ", which tracks real particles",
-            std::string("set `weight 1;`, or `method ") + (method == "DEM" ? "CGPM" : "CGHS") + ";`");
+    std::vector<std::string> names;
+    for (const Method& method : methods)
+        names.push_back(method.name);
+    return names;
 }
 
-void read_plugins(Reader& dict, Settings& settings)
+void read_method(Reader& dict, Settings& settings, const MethodSource& source)
 {
-    dict.names({"plugins", "plug-ins with fix styles for the script, by name or \"path\""}, settings.plugins);
-    const std::string method = name_of(settings.method);
-    if (resolves_contacts(settings.method) || !settings.plugins.empty()) return;
-    throw dict.complaint("method", "`method " + method + ";` takes its collisions from a plug-in, and none is named",
-                         is_hard_sphere(settings.method) ? "add `plugins (hard_sphere);`"
-                         : settings.method == Method::mp_pic
-                             ? "add `plugins (mp_pic);`"
-                             : "add `plugins (NAME);` with the name or \"path\" of yours");
+    dict.names({"plugins", "plug-ins with collision methods and fix styles for the script, by name or \"path\""},
+               settings.plugins);
+    const Methods methods = source.methods(settings.plugins);
+    std::string name = methods.front().name;
+    if (const std::string given = dict.word("method"); !given.empty()) {
+        const auto is_it = [&given](const Method& method) { return method.name == given; };
+        const std::string plugin = std::none_of(methods.begin(), methods.end(), is_it) ? source.plugin_with(given) : "";
+        if (!plugin.empty())
+            throw dict.complaint(
+                "method", "`method " + given + ";` is of the plug-in " + plugin + ", which `plugins` does not name",
+                "add `plugins (" + plugin + ");`");
+    }
+    dict.choice(
+        {"method",
+         "who handles collisions: pair styles of LIGGGHTS, a method that one of the `plugins` brings, or one that "
+         "brings none (PLUGIN); `interphase -help methods` tells of them all"},
+        name, names_of(methods));
+    settings.method =
+        *std::find_if(methods.begin(), methods.end(), [&](const Method& each) { return each.name == name; });
+    if (settings.method.collisions_of_plugin && settings.plugins.empty())
+        throw dict.complaint("method", "`method " + name + ";` takes its collisions from a plug-in, and none is named",
+                             "add `plugins (NAME);` with the name or \"path\" of yours");
+    dict.number({"weight", "real particles per tracked one, unless the script gives each its own"}, settings.weight,
+                at_least(1));
+    if (!settings.method.tracks_parcels && settings.weight != 1)
+        throw dict.complaint(
+            "weight", "`weight " + text(settings.weight) + ";` with method " + name + ", which tracks real particles",
+            or_with_parcels("set `weight 1;`", settings.method));
 }
 
 /// How long a solid step is: given, or by one of two rules.
 void read_solid_step(Reader& dict, Settings& settings)
 {
-    const bool resolved = resolves_contacts(settings.method);
-    if (is_hard_sphere(settings.method)) settings.steps_per_collision = 1;
+    const Method& method = settings.method;
+    const bool resolved = method.resolves_contacts;
+    settings.steps_per_collision = method.steps_per_collision;
     dict.number({"stepsPerCollision",
                  "solid steps in the time of one collision: 10 to 60 are usual where they resolve it; elsewhere the "
                  "time is that of a DEM",
-                 "", text(Settings().steps_per_collision) + " (hard spheres: 1)",
-                 "at least 10 (where a plug-in collides: above 0)"},
+                 "", "as the method says", "at least 10 (where a plug-in collides: above 0)"},
                 settings.steps_per_collision, resolved ? at_least(10) : above(0));
     dict.number(
         {"solidStep", "time of a solid step, where it is given instead", "s", "the collision time / stepsPerCollision"},
@@ -63,17 +75,17 @@ void read_solid_step(Reader& dict, Settings& settings)
     dict.number({"impactSpeed", "speed at which spheres meet, for largestOverlap", "m/s", "none"},
                 settings.impact_speed, above(0));
 
-    if (settings.method == Method::mp_pic)
+    if (!method.single_collisions)
         for (const char* key : {"stepsPerCollision", "largestOverlap", "impactSpeed"})
             if (dict.has(key))
-                throw dict.complaint(key, std::string(key) + " with method MPPIC, which has no single collisions",
-                                     "leave it away for the gas step, or give solidStep");
+                throw dict.complaint(
+                    key, std::string(key) + " with method " + method.name + ", which has no single collisions",
+                    "leave it away for the gas step, or give solidStep");
     for (const char* key : {"largestOverlap", "impactSpeed"})
         if (resolved && dict.has(key))
-            throw dict.complaint(key,
-                                 std::string(key) + " with method " + name_of(settings.method) +
-                                     ", whose step has to resolve each contact",
-                                 "give stepsPerCollision or solidStep instead");
+            throw dict.complaint(
+                key, std::string(key) + " with method " + method.name + ", whose step has to resolve each contact",
+                "give stepsPerCollision or solidStep instead");
     if (dict.has("largestOverlap") != dict.has("impactSpeed")) {
         const char* given = dict.has("largestOverlap") ? "largestOverlap" : "impactSpeed";
         throw dict.complaint(given, std::string(given) + " is given alone",
@@ -86,6 +98,26 @@ void read_solid_step(Reader& dict, Settings& settings)
         throw dict.complaint(rules[1], "both " + rules[1] + " and " + rules[0] + " are given", "keep one of them");
 }
 
+void read_commands(Reader& dict, Settings& settings)
+{
+    dict.own_blocks({"commands", "commands of LIGGGHTS at a time of the run: to open a gate, to start a feed"},
+                    [&](const std::string& name, Reader& block) {
+                        TimedCommands commands{name, 0, {}};
+                        std::optional<double> time;
+                        block.number(
+                            {"time", "before the first gas step that begins then or later", "s", "must be given"}, time,
+                            at_least(0));
+                        if (!time && block.has("lines"))
+                            throw block.complaint("lines", "commands `" + name + "` have no time",
+                                                  "add `time T;`, in seconds of the run");
+                        block.texts({"lines", "as a script of LIGGGHTS has them"}, commands.lines);
+                        commands.time = time.value_or(0);
+                        settings.commands.push_back(commands);
+                    });
+    std::stable_sort(settings.commands.begin(), settings.commands.end(),
+                     [](const TimedCommands& a, const TimedCommands& b) { return a.time < b.time; });
+}
+
 void read_particles(Reader& dict, Settings& settings, const std::filesystem::path& folder)
 {
     dict.required_text({"script", "LIGGGHTS script, from the case folder on"}, settings.script,
@@ -94,6 +126,7 @@ void read_particles(Reader& dict, Settings& settings, const std::filesystem::pat
         throw dict.complaint("script", "there is no LIGGGHTS script `" + settings.script + "` in the case",
                              "correct the name, or put the script there");
     dict.own_entries({"variables", "handed to the script as LIGGGHTS variables, with `weight`"}, settings.variables);
+    read_commands(dict, settings);
     read_solid_step(dict, settings);
     dict.number(
         {"stepAtTimeZero",
@@ -174,10 +207,9 @@ void read_checkpoint(Reader& dict, Settings& settings)
                 settings.checkpoint_wall_interval, at_least(0));
 }
 
-void read_all(Reader& dict, Settings& settings, const std::filesystem::path& folder)
+void read_all(Reader& dict, Settings& settings, const std::filesystem::path& folder, const MethodSource& source)
 {
-    read_method(dict, settings);
-    read_plugins(dict, settings);
+    read_method(dict, settings, source);
     dict.required_block({"particles", "what LIGGGHTS is to do; of the keys for the solid step, one rule at most"},
                         "add it, with the LIGGGHTS script",
                         [&](Reader& block) { read_particles(block, settings, folder); });
@@ -216,21 +248,22 @@ void read_all(Reader& dict, Settings& settings, const std::filesystem::path& fol
 
 }  // namespace
 
-Settings read_settings(const Dictionary& coupling, const Dictionary& scene, const std::filesystem::path& folder)
+Settings read_settings(const Dictionary& coupling, const Dictionary& scene, const std::filesystem::path& folder,
+                       const MethodSource& source)
 {
     Settings settings;
     Reader dict(coupling);
-    read_all(dict, settings, folder);
+    read_all(dict, settings, folder, source);
     dict.refuse_unknown_keys(scene.keys());
     return settings;
 }
 
-std::vector<KeyDescription> setting_keys()
+std::vector<KeyDescription> setting_keys(const MethodSource& source)
 {
     std::vector<KeyDescription> keys;
     Reader dict(keys);
     Settings defaults;
-    read_all(dict, defaults, {});
+    read_all(dict, defaults, {}, source);
     return keys;
 }
 

@@ -12,9 +12,11 @@ namespace interphase {
 /// What system/couplingDict asks for. Throws a UserError that names file, line, value and remedy.
 /// @param scene  the scene's own numbers: couplingDict includes them, so that they stand beside its keys
 /// @param folder of the case, where the script is
-Settings read_settings(const Dictionary& coupling, const Dictionary& scene, const std::filesystem::path& folder);
+/// @param source of the methods; collective, so that all of this is
+Settings read_settings(const Dictionary& coupling, const Dictionary& scene, const std::filesystem::path& folder,
+                       const MethodSource& source);
 
 /// Every key that read_settings() asks for, those of a block together.
-std::vector<KeyDescription> setting_keys();
+std::vector<KeyDescription> setting_keys(const MethodSource& source);
 
 }  // namespace interphase

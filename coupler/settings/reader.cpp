@@ -104,11 +104,16 @@ UserError Reader::nothing_there(const Key& key, const std::string& name, const s
                      did_you_mean(name, choices) + "choose one of " + listed(choices));
 }
 
+std::string Reader::word(const std::string& key) const
+{
+    return has(key) ? dictionary_->text(key).value_or(dictionary_->written(key)) : "";
+}
+
 std::size_t Reader::choose(const Key& key, std::size_t fallback, const std::vector<std::string>& choices)
 {
     ask(key, alternatives(choices), choices[fallback]);
     if (!has(key.name)) return fallback;
-    const std::string name = dictionary_->text(key.name).value_or(dictionary_->written(key.name));
+    const std::string name = word(key.name);
     const auto found = std::find(choices.begin(), choices.end(), name);
     if (found == choices.end()) throw nothing_there(key, name, name, choices);
     return static_cast<std::size_t>(found - choices.begin());
@@ -146,6 +151,19 @@ void Reader::names(const Key& key, std::vector<std::string>& value, const std::v
                         "write `" + key.name + " (one \"another/one\");`");
     for (const std::string& name : *given)
         if (!choices.empty() && !is_among(name, choices)) throw nothing_there(key, name, "(" + name + ")", choices);
+    value = *given;
+}
+
+void Reader::texts(const Key& key, std::vector<std::string>& value)
+{
+    ask(key, "list of texts", "");
+    if (!dictionary_) return;
+    const auto given = has(key.name) ? dictionary_->texts(key.name) : std::nullopt;
+    if (!given || given->empty())
+        throw complaint(key.name,
+                        "`" + key.name + (has(key.name) ? " " + dictionary_->written(key.name) + ";` is" : "` has") +
+                            " no list of texts (" + key.meaning + ")",
+                        "write `" + key.name + " (\"one\" \"another\");`");
     value = *given;
 }
 
@@ -196,6 +214,20 @@ void Reader::block(const Key& key, const std::function<void(Reader&)>& read)
     }
     read(inside);
     inside.refuse_unknown_keys();
+}
+
+void Reader::own_blocks(const Key& key, const std::function<void(const std::string& name, Reader&)>& read)
+{
+    block(key, [&](Reader& blocks) {
+        const auto of_name = [&](const std::string& name) {
+            blocks.block({name, "a name of your own for each"}, [&](Reader& entries) { read(name, entries); });
+        };
+        if (blocks.dictionary_)
+            for (const std::string& name : blocks.dictionary_->keys())
+                of_name(name);
+        else if (descriptions_)
+            of_name("NAME");
+    });
 }
 
 void Reader::block_or_none(const Key& key, bool& wanted, const std::function<void(Reader&)>& read)

@@ -55,11 +55,17 @@ public:
     /// A list of words and quoted texts in parentheses. With `choices`, only of these.
     void names(const Key& key, std::vector<std::string>& value, const std::vector<std::string>& choices = {});
 
+    /// A list of texts in quotes, at least one.
+    void texts(const Key& key, std::vector<std::string>& value);
+
     /// At least as many points as said; `remedy` is for where there are less.
     void points(const Key& key, std::vector<Vector>& value, std::size_t least, const std::string& remedy);
 
     /// A block whose keys are the user's own: name and value of each, as text.
     void own_entries(const Key& key, std::vector<std::pair<std::string, std::string>>& value);
+
+    /// A block of blocks whose names are the user's own: `read` is called for each.
+    void own_blocks(const Key& key, const std::function<void(const std::string& name, Reader&)>& read);
 
     /// A block of entries that `read` asks for; others are refused. As if it was empty where it is not given.
     void block(const Key& key, const std::function<void(Reader&)>& read);
@@ -69,6 +75,7 @@ public:
     void required_block(const Key& key, const std::string& remedy, const std::function<void(Reader&)>& read);
 
     bool has(const std::string& key) const { return dictionary_ && dictionary_->has(key); }
+    std::string word(const std::string& key) const;  ///< as it stands there, unchecked; empty where it is not given
 
     UserError complaint(const std::string& key, const std::string& what, const std::string& remedy) const;
 

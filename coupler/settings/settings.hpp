@@ -7,26 +7,30 @@
 
 #include "base/vector.hpp"
 #include "mapping/mapping_type.hpp"
+#include "settings/method.hpp"
 #include "settings/statistics_settings.hpp"
 
 namespace interphase {
 
-/// Who handles collisions: LIGGGHTS's pair styles (dem, cgpm), hard spheres of a plug-in (tdhs, cghs), a plug-in's
-/// stress of the solids on the gas mesh (mp_pic), or whatever a user's own plug-in does (plugin).
-enum class Method { dem, cgpm, tdhs, cghs, mp_pic, plugin };
-constexpr Method all_methods[] = {Method::dem,  Method::cgpm,   Method::tdhs,
-                                  Method::cghs, Method::mp_pic, Method::plugin};
 enum class GasModel { pimple, frozen, none };
 enum class OutsideMesh { stop, ignore };
 
+/// Commands of LIGGGHTS for the script's scene, at a time of the run.
+struct TimedCommands {
+    std::string name;
+    double time = 0;  ///< before the first gas step that begins then or later [s]
+    std::vector<std::string> lines;
+};
+
 /// What system/couplingDict asks for. Lengths in m, times in s, pressures in Pa.
 struct Settings {
-    Method method = Method::dem;
+    Method method;                     ///< who handles collisions
     double weight = 1;                 ///< real particles per tracked one, >= 1, unless the script gives each its own
     std::vector<std::string> plugins;  ///< names or paths of plug-ins with fix styles for the script
 
     std::string script;                                          ///< LIGGGHTS script, relative to the case
     std::vector<std::pair<std::string, std::string>> variables;  ///< handed to the script
+    std::vector<TimedCommands> commands;                         ///< in the order of their times
     double solid_step = 0;                                       ///< given solid step [s]; 0: derived
     double steps_per_collision = 20;                             ///< S: solid step = t_c / S
     double largest_overlap = 0;    ///< [tracked diameter]; above 0: solid step = that overlap at impact_speed
@@ -50,11 +54,5 @@ struct Settings {
     std::vector<Vector> pressure_taps;      ///< two points or more; the first's pressure less the last's is recorded
     StatisticsSettings statistics;
 };
-
-std::string name_of(Method method);  ///< as a case names it
-
-bool resolves_contacts(Method method);  ///< over many solid steps each, as springs and dashpots need it
-bool tracks_parcels(Method method);     ///< so that a weight above 1 has a meaning
-bool is_hard_sphere(Method method);
 
 }  // namespace interphase

@@ -120,16 +120,15 @@ void PopulationWatch::refuse_boundary(const std::vector<Departure>& departures) 
 
 void PopulationWatch::refuse_parcels(const ParticleView& particles, const std::vector<std::size_t>& arrivals) const
 {
-    if (tracks_parcels(settings_.method) || !particles.weight.differ()) return;
+    if (settings_.method.tracks_parcels || !particles.weight.differ()) return;
     std::optional<Problem> problem;
     for (const std::size_t i : arrivals) {
         if (problem || !(particles.weight[i] > 1)) continue;
         problem = Problem{
             "particle " + std::to_string(particles.id[i]) + " was inserted with a weight of " +
-                text(particles.weight[i]) + ", and method " + name_of(settings_.method) + " tracks real particles",
+                text(particles.weight[i]) + ", and method " + settings_.method.name + " tracks real particles",
             "at " + text(Vector(particles.position.col(static_cast<Eigen::Index>(i)))) + "; " + settings_.script,
-            std::string("leave the property `weight` of what inserts it away, or take method ") +
-                (settings_.method == Method::dem ? "CGPM" : "CGHS")};
+            or_with_parcels("leave the property `weight` of what inserts it away", settings_.method)};
     }
     comm_.fail_together(problem);
 }

@@ -36,6 +36,7 @@ void FixContacts::setup(int vflag)
 void FixContacts::begin_step()
 {
     if (sizes_change(*lmp)) comm->forward_comm_fix(this);
+    walls_.follow();
     contact_.step = in_setup_ ? 0 : update->dt;
     double largest = 0;
     const int count = atom->nlocal + atom->nghost;

@@ -13,6 +13,7 @@
 #include "contacts/ghost_reach.hpp"
 #include "plugin/plugin.hpp"
 #include "walls/fix_wall.hpp"
+#include "walls/wall_set.hpp"
 
 namespace interphase::contacts {
 
@@ -75,22 +76,18 @@ protected:
                 const Partner partner = atom->tag[j];
                 push(i, partner, visitor(i, partner, contact_));
             });
-            for (std::size_t w = 0; w < walls_.size(); ++w) {
-                find_wall_points(i, *walls_[w].wall);
+            for (std::size_t w = 0; w < keys_.size(); ++w) {
+                const walls::Wall& wall = *walls_.all()[w];
+                find_wall_points(i, wall);
                 for (const walls::WallPoint& point : points_) {
-                    touch_wall(i, point, walls_[w].wall->type());
-                    push(i, walls_[w].key, visitor(i, walls_[w].key, contact_));
+                    touch_wall(i, point, wall.type());
+                    push(i, keys_[w], visitor(i, keys_[w], contact_));
                 }
             }
         }
     }
 
 private:
-    struct NamedWall {
-        std::unique_ptr<walls::Wall> wall;
-        Partner key;  ///< the same in every run that names the wall alike
-    };
-
     void complain_alone(const std::string& what) const;  ///< as complain(), of one rank
     bool overlap(int i, int j) const
     {
@@ -110,7 +107,8 @@ private:
     int longest_ = 0;
     bool in_setup_ = false;
     Cells cells_;
-    std::vector<NamedWall> walls_;
+    walls::WallSet walls_;
+    std::vector<Partner> keys_;  ///< of each wall: the same in every run that names the wall alike
     std::vector<walls::WallPoint> points_;
     Contact contact_{};  ///< the one that is being looked at
     double arm_ = 0;     ///< from the sphere's centre to it [m]

@@ -62,19 +62,20 @@ BetweenTypes FixContacts::between_types(const char* name, const std::function<bo
 void FixContacts::collect_walls()
 {
     walls_.clear();
+    keys_.clear();
     for (int k = 0; k < modify->nfix; ++k) {
         if (modify->fix[k]->style != wall_style_) continue;
         const auto* fix = dynamic_cast<FixContactsWall*>(modify->fix[k]);
         if (!fix) continue;
-        std::vector<std::unique_ptr<walls::Wall>> found;
-        fix->add_walls(found);
-        for (std::size_t n = 0; n < found.size(); ++n) {
-            const int type = found[n]->type();
+        const std::size_t before = walls_.all().size();
+        walls_.add(*fix);
+        for (std::size_t n = before; n < walls_.all().size(); ++n) {
+            const int type = walls_.all()[n]->type();
             if (type < 0 || type >= atom->ntypes)
                 complain("the wall of fix " + std::string(fix->id) + " has type " + std::to_string(type + 1) +
                          ", none of the " + std::to_string(atom->ntypes) +
                          " types of the simulation box; give it one of them");
-            walls_.push_back({std::move(found[n]), key_of(std::string(fix->id) + "/" + std::to_string(n))});
+            keys_.push_back(key_of(std::string(fix->id) + "/" + std::to_string(n - before)));
         }
     }
 }

@@ -30,8 +30,9 @@ constexpr int grow_callback = 0;
 constexpr int most_parts = 100;
 constexpr double touching_share = 0.1;  // of the margin
 constexpr int ahead = 8;                // spheres
-constexpr double deep = 0.2;            // of a diameter: overlaps that are worth a word
 constexpr double usual_reach = 0.3;     // of a diameter: hardly any pair closes a wider gap in a step
+constexpr double most_way_of_walls =
+    0.5;  // of a radius, in a part of a step: where a sphere meets them is that they stand there
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -66,9 +67,10 @@ FixTdhs::~FixTdhs() { atom->delete_callback(id, grow_callback); }
 
 void FixTdhs::post_run()
 {
-    if (shortened_ > 0)
-        say("Fix %s resolved contacts in more than one part in %ld steps, for fast spheres\n", style, shortened_);
-    const double deepest = shared_max(deepest_);
+    if (counted_[steps_in_parts] > 0)
+        say("Fix %s resolved contacts in more than one part in %.0f steps, for fast spheres\n", style,
+            counted_[steps_in_parts]);
+    const double deepest = shared_max(counted_[deepest_overlap]);
     if (deepest > deep)
         say("Fix %s: the deepest overlap was %g of the smallest diameter. If the bed sinks, give more `passes` (now "
             "%d) "
@@ -88,8 +90,8 @@ struct StepState {
 
 void FixTdhs::write_restart(FILE* file)
 {
-    const StepState state{limits_, reach_, static_cast<double>(parts_), static_cast<double>(shortened_),
-                          shared_max(deepest_)};
+    const StepState state{limits_, reach_, static_cast<double>(parts_), counted_[steps_in_parts],
+                          shared_max(counted_[deepest_overlap])};
     if (comm->me != 0) return;
     const int bytes = sizeof state;
     std::fwrite(&bytes, sizeof bytes, 1, file);
@@ -103,8 +105,8 @@ void FixTdhs::restart(char* buffer)
     limits_ = state.limits;
     reach_ = state.reach;
     parts_ = static_cast<int>(state.parts);
-    shortened_ = static_cast<long>(state.shortened);
-    deepest_ = state.deepest;
+    counted_[steps_in_parts] = state.shortened;
+    counted_[deepest_overlap] = state.deepest;
 }
 
 int FixTdhs::setmask()
@@ -117,6 +119,7 @@ void* FixTdhs::extract(const char* name, int& dimension)
 {
     static int yes = 1;
     dimension = 0;
+    if (std::strcmp(name, extract_counters) == 0) return &counter_values_;
     return std::strcmp(name, extract_moves_before_forces) == 0 ? &yes : nullptr;
 }
 
@@ -164,7 +167,7 @@ void FixTdhs::setup(int)
     ask_gravity();  // not in init(): the fix may come later in the script, and knows only after its own
     choose_effort();
     collect_walls();
-    for (const auto& wall : walls_)
+    for (const auto& wall : walls_.all())
         if (wall->type() < 0 || wall->type() >= atom->ntypes)
             complain("a wall has a type that the simulation box does not know");
     if (!started_) {  // what meets in the very first step
@@ -181,7 +184,21 @@ void FixTdhs::collect_walls()
     walls_.clear();
     for (int k = 0; k < modify->nfix; ++k)
         if (const auto* fix = dynamic_cast<FixWallTdhs*>(modify->fix[k]); fix && fix->is_heeded_by(style))
-            fix->add_walls(walls_);
+            walls_.add(*fix);
+}
+
+void FixTdhs::follow_walls()
+{
+    if (!walls_.any_travels()) return;
+    walls_.travel(limits_.step);  // through the last part of the step
+    const double off = walls_.follow(), most = most_way_of_walls * smallest_radius_;
+    if (off > most)
+        complain(
+            "a wall is " + std::to_string(off) +
+            " m from where its last velocity would have brought it in a step, more than half the radius of a sphere, " +
+            std::to_string(most) +
+            " m, and may have passed through one. LIGGGHTS tells how fast a mesh moves once it has moved: give a "
+            "shorter step, or let the mesh set out slowly");
 }
 
 void FixTdhs::initial_integrate(int)
@@ -192,6 +209,7 @@ void FixTdhs::initial_integrate(int)
         cost_.switch_to(Part::communication);
         comm->forward_comm();
         std::fill(push_.begin(), push_.end(), 0.0);
+        walls_.travel(limits_.step);
         resolve_contacts();
         move();
     }
@@ -202,6 +220,7 @@ void FixTdhs::final_integrate()
 {
     const TinyIsZero in_this_step;
     add_forces();
+    follow_walls();
     if (range_ > 0) attract();
     choose_parts();
     resolve_contacts();
@@ -239,7 +258,7 @@ void FixTdhs::resolve_contacts()
     gather(reach_);
     pairs_.find(bodies_, grid_, limits_.step, limits_.margin, limits_.touching);
     cost_.switch_to(Part::walls);
-    find_wall_contacts(bodies_, walls_, law_->materials, limits_, wall_contacts_);
+    find_wall_contacts(bodies_, walls_.all(), law_->materials, limits_, wall_contacts_);
 
     cost_.switch_to(Part::contacts);
     counts_ = &solver_.count_touches(pairs_, wall_contacts_);
@@ -254,7 +273,8 @@ void FixTdhs::resolve_contacts()
     }
     if (has_ghosts()) join_masses();
     solver_.finish(bodies_, grid_.order(), memory_);
-    deepest_ = std::max(deepest_, solver_.separate(bodies_, share_, limits_.tolerated) / (2 * smallest_radius_));
+    counted_[deepest_overlap] = std::max(counted_[deepest_overlap],
+                                         solver_.separate(bodies_, share_, limits_.tolerated) / (2 * smallest_radius_));
     cost_.switch_to(Part::integration);
     scatter();
 }
@@ -332,21 +352,25 @@ void FixTdhs::choose_parts()
     const double* v = atom->nlocal > 0 ? atom->v[0] : nullptr;
     for (int i = 0; i < 3 * atom->nlocal; i += 3)
         fastest2 = std::max(fastest2, v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2]);
-    const double fastest = std::sqrt(shared_max(fastest2));
+    const double fastest = std::sqrt(shared_max(fastest2)), of_walls = walls_.fastest();
     const double diameter = 2 * smallest_radius_, widest = 2 * ghosts_.largest_radius();
     const double closing = 2 * fastest * update->dt;  // no two spheres close a wider gap in a step
 
     // Pairs with gaps up to `reach` are looked at; one farther apart has to close that and a diameter to pass unseen.
     const double bound = diameter + widest;
-    parts_ = std::max(1, static_cast<int>(std::ceil(closing / bound)));
+    const double way_of_walls = of_walls * update->dt, most_of_walls = most_way_of_walls * smallest_radius_;
+    const double needed = std::max(closing / bound, way_of_walls / most_of_walls);
+    parts_ = std::max(1, static_cast<int>(std::ceil(needed)));
     if (parts_ > 1 && (!shortens_ || parts_ > most_parts)) {
-        const std::string limit = std::to_string(0.5 * bound / fastest);
-        complain("a sphere moves at " + std::to_string(fastest) + " m/s, which is " +
-                 std::to_string(fastest * update->dt) + " m in a step; from " + std::to_string(0.5 * bound) +
-                 " m on, spheres may pass through each other. Give a step below " + limit + " s" +
+        const bool wall = way_of_walls / most_of_walls > closing / bound;
+        const double speed = wall ? of_walls : fastest, most = wall ? most_of_walls : 0.5 * bound;
+        complain(std::string("a ") + (wall ? "wall" : "sphere") + " moves at " + std::to_string(speed) +
+                 " m/s, which is " + std::to_string(speed * update->dt) + " m in a step; from " + std::to_string(most) +
+                 " m on, " + (wall ? "it may pass through a sphere" : "spheres may pass through each other") +
+                 ". Give a step below " + std::to_string(most / speed) + " s" +
                  (shortens_ ? ", or find out why it is so fast" : ", or `too_fast shorten`"));
     }
-    if (parts_ > 1) ++shortened_;
+    if (parts_ > 1) ++counted_[steps_in_parts];
     limits_.step = update->dt / parts_;
     limits_.farthest = fastest * limits_.step;
     limits_.margin = effort_.margin * diameter;
@@ -390,7 +414,7 @@ const std::vector<FixTdhs::ShownValue>& FixTdhs::shown_values()
         {"pairs", [](const FixTdhs& fix) { return static_cast<double>(fix.pairs_.end() - fix.pairs_.begin()); }},
         {"binary_collisions", [](const FixTdhs& fix) { return static_cast<double>(fix.solver_.binary_collisions()); }},
         {"cluster_contacts", [](const FixTdhs& fix) { return static_cast<double>(fix.solver_.cluster_contacts()); }},
-        {"shortened_steps", [](const FixTdhs& fix) { return static_cast<double>(fix.shortened_); }},
+        {"shortened_steps", [](const FixTdhs& fix) { return fix.counted_[steps_in_parts]; }},
         {"search", [](const FixTdhs& fix) { return fix.cost_.seconds(Part::search); }},
         {"walls", [](const FixTdhs& fix) { return fix.cost_.seconds(Part::walls); }},
         {"contacts", [](const FixTdhs& fix) { return fix.cost_.seconds(Part::contacts); }},

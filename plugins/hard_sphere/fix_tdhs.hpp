@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -13,9 +14,10 @@
 #include "hard_sphere/cell_grid.hpp"
 #include "hard_sphere/contact_solver.hpp"
 #include "hard_sphere/cost.hpp"
+#include "hard_sphere/counters.hpp"
 #include "hard_sphere/effort.hpp"
 #include "hard_sphere/pair_search.hpp"
-#include "walls/wall.hpp"
+#include "walls/wall_set.hpp"
 
 namespace interphase::hard_sphere {
 
@@ -79,6 +81,7 @@ private:
     void read_materials();
     void measure_spheres();
     void collect_walls();
+    void follow_walls();
     void ask_gravity();
     void check_law();
     void add_forces();
@@ -124,14 +127,13 @@ private:
 
     bool started_ = false;
 
-    int parts_ = 1;       ///< of the step, so that no sphere moves too far in one
-    long shortened_ = 0;  ///< steps of more than one part
-
+    int parts_ = 1;  ///< of the step, so that no sphere moves too far in one
     Effort effort_{};
-    double deepest_ = 0;  ///< overlap so far, of the smallest diameter
+    std::array<double, counter_number> counted_{};  ///< so far
+    CounterValues counter_values_{counted_.size(), counted_.data()};
 
     std::unique_ptr<AnyLaw> law_;
-    std::vector<std::unique_ptr<walls::Wall>> walls_;
+    walls::WallSet walls_;
     StepLimits limits_{};
     double reach_ = 0;             ///< gap up to which pairs are looked for [m]
     contacts::GhostReach ghosts_;  ///< as far away as a pair may be that meets within one step

@@ -76,7 +76,7 @@ void FixTdhs::find_attractions()
 void FixTdhs::find_attractions_of_walls()
 {
     std::vector<walls::WallPoint> points;
-    for (const auto& wall : walls_)
+    for (const auto& wall : walls_.all())
         for (int i = 0; i < atom->nlocal; ++i) {
             if (!(atom->mask[i] & groupbit)) continue;
             Place place;

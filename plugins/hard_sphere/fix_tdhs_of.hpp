@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "hard_sphere/counters.hpp"
 #include "hard_sphere/fix_tdhs.hpp"
 #include "hard_sphere/fix_wall_tdhs.hpp"
 #include "hard_sphere/law_of.hpp"
@@ -26,5 +27,7 @@ public:
         "wall/tdhs/" name, &interphase::create<interphase::hard_sphere::FixWallTdhs> \
     }
 
-/// Makes the library that it stands in (once) a plug-in with these styles.
-#define INTERPHASE_LAW(name, Law) INTERPHASE_PLUGIN(name, INTERPHASE_LAW_STYLES(name, Law))
+/// Makes the library that it stands in (once) a plug-in with these styles and the counters of hard spheres.
+#define INTERPHASE_LAW(name, Law)                             \
+    INTERPHASE_PLUGIN(name, INTERPHASE_LAW_STYLES(name, Law)) \
+    INTERPHASE_COUNTERS(interphase::hard_sphere::counters)

@@ -65,14 +65,15 @@ void find_wall_contacts(Bodies& bodies, const std::vector<std::unique_ptr<walls:
     std::vector<int> chosen;
     for (std::size_t w = 0; w < walls.size(); ++w) {
         const Wall& wall = *walls[w];
+        const double way = limits.step * wall.fastest();
         chosen.clear();
-        choose(wall, bodies, limits.margin + limits.farthest, chosen);
+        choose(wall, bodies, limits.margin + limits.farthest + way, chosen);
         for (const int body : chosen) {
             const auto i = static_cast<std::size_t>(body);
             if (bodies.label[i].ghost || bodies.label[i].fixed) continue;
             const Place& place = bodies.path[i].place;
             const Vector velocity = to_vector(bodies.path[i].velocity);
-            const double reach = limits.margin + limits.step * velocity.norm();
+            const double reach = limits.margin + limits.step * velocity.norm() + way;
             if (!wall.may_touch(place, reach)) continue;
             points.clear();
             wall.near(place, reach, points);

@@ -11,3 +11,4 @@ INTERPHASE_PLUGIN("laws", INTERPHASE_LAW_STYLES("viscoelastic", Viscoelastic),
                   INTERPHASE_LAW_STYLES("rolling", WithRolling<ConstantRestitution>),
                   INTERPHASE_LAW_STYLES("cohesive", WithCohesion<ConstantRestitution>),
                   INTERPHASE_LAW_STYLES("cohesive_rolling", WithCohesion<WithRolling<ConstantRestitution>>))
+INTERPHASE_COUNTERS(interphase::hard_sphere::counters)

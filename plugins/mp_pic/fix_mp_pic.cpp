@@ -27,8 +27,6 @@ namespace {
 
 constexpr int grow_callback = 0;
 
-/// Places in the sums.
-enum Sum { by_stress = 0, by_walls = 3, bounces = 6, pushed = 7 };
 const std::vector<std::string> sum_names{"stress_x", "stress_y", "stress_z", "walls_x",
                                          "walls_y",  "walls_z",  "bounces",  "pushed"};
 
@@ -77,6 +75,7 @@ void* FixMpPic::extract(const char* name, int& dimension)
     dimension = 0;
     static int yes = 1;
     if (std::strcmp(name, extract_takes_new_forces) == 0) return &yes;
+    if (std::strcmp(name, extract_counters) == 0) return &counted_;
     if (has_stress_ && std::strcmp(name, extract_solid_stress) == 0) return static_cast<SolidStress*>(this);
     return nullptr;
 }
@@ -92,10 +91,32 @@ void FixMpPic::setup(int)
 {
     walls_.clear();
     for (int k = 0; k < modify->nfix; ++k)
-        if (const auto* fix = dynamic_cast<FixWallMpPic*>(modify->fix[k])) fix->add_walls(walls_);
-    for (const auto& wall : walls_)
+        if (const auto* fix = dynamic_cast<FixWallMpPic*>(modify->fix[k])) walls_.add(*fix);
+    for (const auto& wall : walls_.all())
         if (wall->type() < 0 || wall->type() >= atom->ntypes)
             error->all(FLERR, "Fix mp_pic: a wall has a type that the simulation box does not know");
+    follow_walls();
+}
+
+/// Parcels meet a wall where it will be at the end of the step, as it moves now: LIGGGHTS moves meshes before or after them, as the script has it.
+void FixMpPic::follow_walls()
+{
+    if (!walls_.any_travels()) return;
+    const double off = walls_.follow();
+    walls_.travel(update->dt);
+    double smallest = 1e300;
+    for (int i = 0; i < atom->nlocal; ++i)
+        smallest = std::min(smallest, atom->radius[i]);
+    MPI_Allreduce(MPI_IN_PLACE, &smallest, 1, MPI_DOUBLE, MPI_MIN, world);
+    const double way = update->dt * walls_.fastest();
+    constexpr double part = 0.5;  // of a radius: the centre of a parcel must not get to its other side
+    if (std::max(way, off) <= part * smallest) return;
+    const std::string what = way > off ? "moves by " + text(way) + " m in a step of " + text(update->dt) + " s"
+                                       : "is " + text(off) + " m from where its last velocity would have brought it in a step";
+    error->all(FLERR, ("Fix mp_pic: a wall " + what + ", more than half the radius of the smallest parcel, " +
+                       text(smallest) + " m, and may pass through it. Give a shorter step (solidStep), or a wall that is "
+                       "slower or sets out slowly")
+                          .c_str());
 }
 
 double FixMpPic::stress(double solid_fraction) const
@@ -162,6 +183,7 @@ void FixMpPic::final_integrate()
     const double half = 0.5 * update->dt;
     for (int i = 0; i < atom->nlocal; ++i)
         if (atom->mask[i] & groupbit) kick(i, half);
+    follow_walls();
 }
 
 void FixMpPic::kick(int i, double dt)
@@ -193,7 +215,7 @@ void FixMpPic::move(int i)
     walls::Place place;
     set(place.centre, to_vector(atom->x[i]));
     place.radius = atom->radius[i];
-    const Drift moved = drift(place, velocity, update->dt, walls_, wall_laws_[at(atom->type[i] - 1)]);
+    const Drift moved = drift(place, velocity, update->dt, walls_.all(), wall_laws_[at(atom->type[i] - 1)]);
     if (moved.bounces > 0 || moved.pushed > 0) {
         const Vector given = atom->rmass[i] * (moved.velocity - velocity);
         for (int axis = 0; axis < 3; ++axis)

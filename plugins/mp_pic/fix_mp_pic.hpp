@@ -11,7 +11,9 @@
 #include "fix.h"
 #include "mp_pic/stress_law.hpp"
 #include "mp_pic/wall_bounce.hpp"
+#include "plugin/counter.hpp"
 #include "plugin/solid_stress.hpp"
+#include "walls/wall_set.hpp"
 
 namespace interphase::mp_pic {
 
@@ -64,6 +66,7 @@ private:
     void kick(int i, double dt);
     Vector take_stress(int i);
     void move(int i);
+    void follow_walls();
     void complain_of_step(int particle, double gas_step, double longest);
 
     // what the script says
@@ -76,15 +79,17 @@ private:
 
     std::vector<double> restitution_;              ///< among particles, by type
     std::vector<std::vector<WallLaw>> wall_laws_;  ///< by type of particle and of wall
-    std::vector<std::unique_ptr<walls::Wall>> walls_;
+    walls::WallSet walls_;  ///< where they will be at the end of the next step
 
     std::vector<StressState> states_;  ///< [atoms]
     bool kicked_whole_ = false;        ///< where the stress acts, by the forces of the gas step
     bool arrived_ = false;
     std::string complaint_;
 
+    enum Sum { by_stress = 0, by_walls = 3, bounces = 6, pushed = 7, sum_number = 8 };
     /// Since the start, of this rank: momentum that stress and walls gave [kg m/s]; bounces, put out of walls.
-    std::array<double, 8> sums_{};
+    std::array<double, sum_number> sums_{};
+    CounterValues counted_{1, &sums_[pushed]};
 };
 
 }  // namespace interphase::mp_pic

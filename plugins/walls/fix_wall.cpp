@@ -21,6 +21,27 @@ constexpr const char* usage =
     "; give `primitive type T xplane X` (yplane, zplane; xcylinder R Y Z, ycylinder R Z X, zcylinder R X Y) or "
     "`mesh n_meshes N meshes ID ...`";
 
+/// As ranks tell each other of it.
+struct MeshTriangle {
+    double id;
+    double corner[3][3] = {};    ///< [m]
+    double velocity[3][3] = {};  ///< of the corners [m/s]
+};
+
+std::vector<MeshTriangle> of_all_ranks(const std::vector<MeshTriangle>& mine, MPI_Comm world)
+{
+    constexpr int numbers = sizeof(MeshTriangle) / sizeof(double);
+    int count = numbers * static_cast<int>(mine.size()), ranks = 1;
+    MPI_Comm_size(world, &ranks);
+    std::vector<int> counts(static_cast<std::size_t>(ranks)), starts(static_cast<std::size_t>(ranks) + 1, 0);
+    MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
+    for (std::size_t r = 0; r < counts.size(); ++r)
+        starts[r + 1] = starts[r] + counts[r];
+    std::vector<MeshTriangle> all(static_cast<std::size_t>(starts.back() / numbers));
+    MPI_Allgatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE, world);
+    return all;
+}
+
 }  // namespace
 
 FixWall::FixWall(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, arg)
@@ -83,24 +104,23 @@ void FixWall::read_meshes(int narg, char** arg)
     }
 }
 
-void FixWall::add_walls(std::vector<std::unique_ptr<Wall>>& walls) const
+LAMMPS_NS::FixMeshSurface& FixWall::mesh(int n) const
 {
-    if (!primitive_.empty()) {
-        const int axis = primitive_[0] - 'x';
-        if (parameters_.size() == 1)
-            walls.push_back(std::make_unique<PlaneWall>(type_, axis, parameters_[0]));
-        else
-            walls.push_back(
-                std::make_unique<CylinderWall>(type_, axis, parameters_[0], parameters_[1], parameters_[2]));
-        return;
-    }
-    for (const std::string& name : meshes_) {
-        auto* fix = dynamic_cast<LAMMPS_NS::FixMeshSurface*>(modify->find_fix_id(name.c_str()));
-        if (!fix) complain("fix mesh/surface '" + name + "' has been removed");
-        if (fix->mesh()->isMoving())
-            complain("mesh '" + name + "' moves; only resting meshes are known here. Take away its fix move/mesh");
-        walls.push_back(std::make_unique<TriangleWall>(fix->atomTypeWall() - 1, all_triangles(*fix)));
-    }
+    const std::string& name = meshes_[static_cast<std::size_t>(n)];
+    auto* fix = dynamic_cast<LAMMPS_NS::FixMeshSurface*>(modify->find_fix_id(name.c_str()));
+    if (!fix) complain("fix mesh/surface '" + name + "' has been removed");
+    return *fix;
+}
+
+bool FixWall::travels(int n) const { return primitive_.empty() && mesh(n).mesh()->isMoving(); }
+
+std::unique_ptr<Wall> FixWall::wall(int n) const
+{
+    if (primitive_.empty())
+        return std::make_unique<TriangleWall>(mesh(n).atomTypeWall() - 1, surface_of(mesh(n)));
+    const int axis = primitive_[0] - 'x';
+    if (parameters_.size() == 1) return std::make_unique<PlaneWall>(type_, axis, parameters_[0]);
+    return std::make_unique<CylinderWall>(type_, axis, parameters_[0], parameters_[1], parameters_[2]);
 }
 
 void* FixWall::extract(const char* name, int& dimension)
@@ -108,7 +128,8 @@ void* FixWall::extract(const char* name, int& dimension)
     dimension = 0;
     if (std::string(name) != extract_wall_gaps) return nullptr;
     asked_of_.clear();
-    add_walls(asked_of_);
+    for (int n = 0; n < wall_count(); ++n)
+        asked_of_.push_back(wall(n));
     return static_cast<WallGaps*>(this);
 }
 
@@ -124,31 +145,40 @@ double FixWall::gap(const double centre[3], double radius) const
     return least;
 }
 
-std::vector<Triangle> FixWall::all_triangles(LAMMPS_NS::FixMeshSurface& fix) const
+Surface FixWall::surface_of(LAMMPS_NS::FixMeshSurface& fix) const
 {
+    using NodeVelocities = LAMMPS_NS::MultiVectorContainer<double, 3, 3>;
     LAMMPS_NS::TriMesh& mesh = *fix.triMesh();
-    std::vector<double> mine;
-    for (int t = 0; t < mesh.sizeLocal(); ++t)
+    // of meshes that move and of those that slide along themselves (surface_vel)
+    auto* velocities = mesh.prop().getElementProperty<NodeVelocities>("v");
+    std::vector<MeshTriangle> mine(static_cast<std::size_t>(mesh.sizeLocal()));
+    for (int t = 0; t < mesh.sizeLocal(); ++t) {
+        MeshTriangle& triangle = mine[static_cast<std::size_t>(t)];
+        triangle.id = mesh.id(t);
         for (int corner = 0; corner < 3; ++corner) {
-            double x[3];
-            mesh.node(t, corner, x);
-            mine.insert(mine.end(), x, x + 3);
+            mesh.node(t, corner, triangle.corner[corner]);
+            if (velocities) std::copy_n(velocities->begin()[t][corner], 3, triangle.velocity[corner]);
         }
+    }
     // a mesh has few triangles against the particles, and particles roam over all of it
-    int count = static_cast<int>(mine.size()), ranks = 1;
-    MPI_Comm_size(world, &ranks);
-    std::vector<int> counts(static_cast<std::size_t>(ranks)), starts(static_cast<std::size_t>(ranks) + 1, 0);
-    MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
-    for (std::size_t r = 0; r < counts.size(); ++r)
-        starts[r + 1] = starts[r] + counts[r];
-    std::vector<double> all(static_cast<std::size_t>(starts.back()));
-    MPI_Allgatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE, world);
+    std::vector<MeshTriangle> all = of_all_ranks(mine, world);
+    // they change rank as they move: what is remembered of them goes by their order
+    std::sort(all.begin(), all.end(), [](const MeshTriangle& a, const MeshTriangle& b) { return a.id < b.id; });
 
-    std::vector<Triangle> triangles(all.size() / 9);
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-        for (std::size_t corner = 0; corner < 3; ++corner)
-            triangles[t][corner] = to_vector(&all[9 * t + 3 * corner]);
-    return triangles;
+    Surface surface;
+    surface.travels = fix.mesh()->isMoving();
+    bool any = false;
+    for (const MeshTriangle& triangle : all) {
+        surface.triangles.emplace_back();
+        surface.velocity.emplace_back();
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            surface.triangles.back()[corner] = to_vector(triangle.corner[corner]);
+            surface.velocity.back()[corner] = to_vector(triangle.velocity[corner]);
+            any = any || !surface.velocity.back()[corner].isZero(0);
+        }
+    }
+    if (!any) surface.velocity.clear();
+    return surface;
 }
 
 }  // namespace interphase::walls

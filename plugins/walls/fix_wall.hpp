@@ -32,8 +32,12 @@ public:
     void* extract(const char* name, int& dimension) override;
     double gap(const double centre[3], double radius) const override;
 
-    /// Adds this fix's walls as they stand now. Collective.
-    void add_walls(std::vector<std::unique_ptr<Wall>>& walls) const;
+    /// How many walls it has.
+    int wall_count() const { return primitive_.empty() ? static_cast<int>(meshes_.size()) : 1; }
+    /// One of them as it stands and moves now. Collective.
+    std::unique_ptr<Wall> wall(int n) const;
+    /// Whether it moves from where it stands.
+    bool travels(int n) const;
 
 protected:
     /// Ends the run. Collective.
@@ -43,7 +47,8 @@ private:
     void read_primitive(int narg, char** arg);
     void read_meshes(int narg, char** arg);
     double number(const char* word) const;
-    std::vector<Triangle> all_triangles(LAMMPS_NS::FixMeshSurface& fix) const;
+    LAMMPS_NS::FixMeshSurface& mesh(int n) const;
+    Surface surface_of(LAMMPS_NS::FixMeshSurface& fix) const;
 
     int type_ = 0;
     std::string primitive_;

@@ -48,19 +48,64 @@ Vector nearest_point(const Triangle& triangle, const Vector& point)
     return a + vb / sum * ab + vc / sum * ac;
 }
 
-TriangleWall::TriangleWall(int type, std::vector<Triangle> triangles) : Wall(type), triangles_(std::move(triangles))
+Vector velocity_at(const Triangle& triangle, const Triangle& velocity, const Vector& point)
 {
+    // shares of the corners: areas of the parts into which the point cuts the triangle
+    const Vector ab = triangle[1] - triangle[0], ac = triangle[2] - triangle[0], ap = point - triangle[0];
+    const Vector normal = ab.cross(ac);
+    const double twice_area2 = normal.squaredNorm();
+    if (twice_area2 == 0) return (velocity[0] + velocity[1] + velocity[2]) / 3;
+    const double of_b = ap.cross(ac).dot(normal) / twice_area2, of_c = ab.cross(ap).dot(normal) / twice_area2;
+    return (1 - of_b - of_c) * velocity[0] + of_b * velocity[1] + of_c * velocity[2];
+}
+
+TriangleWall::TriangleWall(int type, Surface surface) : Wall(type), surface_(std::move(surface)) { sort_into_cells(); }
+
+double TriangleWall::fastest() const
+{
+    double fastest2 = 0;
+    if (surface_.travels)
+        for (const Triangle& velocity : surface_.velocity)
+            for (const Vector& corner : velocity)
+                fastest2 = std::max(fastest2, corner.squaredNorm());
+    return std::sqrt(fastest2);
+}
+
+void TriangleWall::travel(double time)
+{
+    if (!surface_.travels) return;
+    for (std::size_t t = 0; t < surface_.velocity.size(); ++t)
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            surface_.triangles[t][corner] += time * surface_.velocity[t][corner];
+    sort_into_cells();
+}
+
+double TriangleWall::away_from(const Wall& before) const
+{
+    const auto* other = dynamic_cast<const TriangleWall*>(&before);
+    double distance2 = 0;
+    for (std::size_t t = 0; other && t < std::min(surface_.triangles.size(), other->surface_.triangles.size()); ++t)
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            distance2 = std::max(
+                distance2, (surface_.triangles[t][corner] - other->surface_.triangles[t][corner]).squaredNorm());
+    return std::sqrt(distance2);
+}
+
+void TriangleWall::sort_into_cells()
+{
+    const std::vector<Triangle>& triangles = surface_.triangles;
+    bounds_ = empty_box();
     double perimeter = 0;
-    for (const Triangle& t : triangles_) {
+    for (const Triangle& t : triangles) {
         for (const Vector& corner : t)
             extend(bounds_, corner);
         perimeter += (t[1] - t[0]).norm() + (t[2] - t[1]).norm() + (t[0] - t[2]).norm();
     }
-    if (triangles_.empty()) return;
+    if (triangles.empty()) return;
     // cells about as wide as the triangles' edges, and not many more of them than triangles
     const Vector extent = bounds_.col(1) - bounds_.col(0);
-    size_ = std::max(perimeter / (3.0 * static_cast<double>(triangles_.size())), 1e-300);
-    const double most = 64.0 * static_cast<double>(triangles_.size()) + 64;
+    size_ = std::max(perimeter / (3.0 * static_cast<double>(triangles.size())), 1e-300);
+    const double most = 64.0 * static_cast<double>(triangles.size()) + 64;
     const auto count = [&](int axis) { return std::floor(extent[axis] / size_) + 1; };
     while (count(0) * count(1) * count(2) > most)
         size_ *= 1.26;
@@ -68,8 +113,8 @@ TriangleWall::TriangleWall(int type, std::vector<Triangle> triangles) : Wall(typ
         cells_[axis] = static_cast<int>(count(axis));
 
     const auto each = [&](const auto& visit) {
-        for (std::size_t t = 0; t < triangles_.size(); ++t) {
-            const Triangle& k = triangles_[t];
+        for (std::size_t t = 0; t < triangles.size(); ++t) {
+            const Triangle& k = triangles[t];
             const Range range = cells_around(k[0].cwiseMin(k[1]).cwiseMin(k[2]), k[0].cwiseMax(k[1]).cwiseMax(k[2]));
             for (int z = range.low[2]; z <= range.high[2]; ++z)
                 for (int y = range.low[1]; y <= range.high[1]; ++y)
@@ -130,7 +175,7 @@ void TriangleWall::near(const Place& sphere, double reach, std::vector<WallPoint
     const Vector centre = to_vector(sphere.centre);
     std::vector<Candidate> candidates;
     each_near(sphere, reach, [&](int t) {
-        const Vector point = nearest_point(triangles_[static_cast<std::size_t>(t)], centre);
+        const Vector point = nearest_point(surface_.triangles[static_cast<std::size_t>(t)], centre);
         const double distance = (point - centre).norm();
         if (distance < within && distance > 0) candidates.push_back({point, distance, t});
         return false;
@@ -143,8 +188,12 @@ void TriangleWall::near(const Place& sphere, double reach, std::vector<WallPoint
         const auto hides = [&](const Candidate& nearer) { return hidden_by(nearer, candidate, centre, sphere.radius); };
         if (std::any_of(kept.begin(), kept.end(), hides)) continue;
         kept.push_back(candidate);
-        points.push_back({(candidate.point - centre) / candidate.distance, candidate.distance - sphere.radius,
-                          Vector::Zero(), candidate.triangle});
+        const auto t = static_cast<std::size_t>(candidate.triangle);
+        const Vector velocity = surface_.velocity.empty()
+                                    ? Vector::Zero().eval()
+                                    : velocity_at(surface_.triangles[t], surface_.velocity[t], candidate.point);
+        points.push_back({(candidate.point - centre) / candidate.distance, candidate.distance - sphere.radius, velocity,
+                          candidate.triangle});
     }
 }
 

@@ -30,6 +30,13 @@ public:
     /// Cheap: false if no point is within `reach`.
     virtual bool may_touch(const Place& sphere, double reach) const = 0;
 
+    /// The largest speed with which a point of it travels [m/s].
+    virtual double fastest() const { return 0; }
+    /// Where it will be `time` [s] later, as it travels now.
+    virtual void travel(double /*time*/) {}
+    /// The largest distance of a point of it from where `before`, the same wall, has it [m].
+    virtual double away_from(const Wall& /*before*/) const { return 0; }
+
 private:
     int type_;
 };

@@ -4,7 +4,7 @@
 import copy
 import os
 
-from interphase import case_folder, parameters
+from interphase import case_folder, methods, parameters
 from interphase.case_folder import COUPLING, PARAMETERS
 from interphase.input_error import InputError
 from interphase.launched import Launched
@@ -36,7 +36,7 @@ class Case:
         for name, value in {**(entries or {}), **of_parameters}.items():
             text = as_written(value)
             if name == "method":
-                changed._method = case_folder.checked_method(text)
+                changed._method = text
             elif name == "weight":
                 case_folder.checked_weight(text)
                 changed._weight = text
@@ -44,7 +44,8 @@ class Case:
                 changed._dictionaries.set(*changed._dictionaries.place_of(name), text)
                 changed._settings[name] = text
         if changed._method or changed._weight:
-            case_folder.set_method_and_weight(changed._dictionaries, changed._method, changed._weight)
+            method, _ = case_folder.set_method_and_weight(changed._dictionaries, changed._method, changed._weight)
+            changed._method = changed._method and method
         return changed
 
     def value(self, name, default=None):
@@ -54,8 +55,16 @@ class Case:
 
     @property
     def method(self):
-        """The collision method: DEM, CGPM, TDHS, CGHS, MPPIC or PLUGIN."""
-        return case_folder.checked_method(self._dictionaries.value(COUPLING, "method", "DEM"))
+        """The name of the collision method: DEM, CGPM, TDHS, CGHS, MPPIC, one of a plug-in of one's own, or PLUGIN."""
+        return self.method_of(None).name
+
+    def method_of(self, name):
+        """The `methods.Method` of that name, or the case's own; InputError for one that there is not."""
+        return case_folder.method_of(self._dictionaries, name)
+
+    def methods(self):
+        """{name: `methods.Method`} of all that there are for it: of this tree, and of its own plug-ins."""
+        return methods.all_with(case_folder.plugins_of(self._dictionaries), self.path)
 
     @property
     def weight(self):

@@ -7,7 +7,7 @@ import re
 import shutil
 import stat
 
-from interphase import foam_file, known_keys
+from interphase import foam_file, known_keys, methods
 from interphase.foam_file import FoamFileError, nearest
 from interphase.input_error import InputError
 
@@ -20,12 +20,6 @@ LEFT_BY_A_RUN = (
     "processor[0-9]*", "processors[0-9]*", "postProcessing", "dynamicCode", "log.*", "*.foam", "run.json", "__pycache__",
     "results.h5*", "particles.h5*", "particles.xdmf*", "snapshots", "bed.png", "report.png", "frames", "study",
 )
-
-METHODS = ("DEM", "CGPM", "TDHS", "CGHS", "MPPIC", "PLUGIN")
-OF_PARTICLES = ("DEM", "TDHS")  # every particle is tracked: W = 1
-# Collisions come from a fix style that `plugins` brings, usually from this one.
-OF_PLUGINS = {"TDHS": "hard_sphere", "CGHS": "hard_sphere", "MPPIC": "mp_pic", "PLUGIN": "NAME"}
-
 
 def cases_in(folder):
     """Paths of the cases directly below `folder`, sorted."""
@@ -189,12 +183,15 @@ class Dictionaries:
                 stream.write(self._texts[file])
 
 
-def checked_method(name):
-    """`dem` -> `DEM`, `mp-pic` -> `MPPIC`; InputError for a method that there is not."""
-    method = name.upper().replace("-", "")
-    if method not in METHODS:
-        raise InputError(f"method '{name}' is unknown: {nearest(method, METHODS)}")
-    return method
+def plugins_of(case):
+    """The plug-ins that the case names, as it writes them, a tuple."""
+    return tuple(foam_file.unquoted(word) for word in re.findall(r'[^\s()"]+|"[^"]*"', case.value(COUPLING, "plugins", "()")))
+
+
+def method_of(case, name=None):
+    """The methods.Method `name`, as a user spells it (`dem`, `mp-pic`), or the case's own; InputError for one that there is not."""
+    name = name or case.value(COUPLING, "method") or next(iter(methods.of_tree()))
+    return methods.method(name, plugins_of(case), case.folder)
 
 
 def checked_weight(text):
@@ -216,31 +213,27 @@ def end_time(case):
 def set_method_and_weight(case, method=None, weight=None):
     """Write what the user chose into the case; returns (method, weight as a number), which agree.
 
-    DEM and TDHS track every particle, so W is 1; `--method DEM` alone says so too. The weight of a run with parcels that
+    Where every particle is tracked (DEM, TDHS), W is 1; `--method DEM` alone says so too. The weight of a run with parcels that
     names none is the case's.
     """
-    chosen = checked_method(method or case.value(COUPLING, "method", "DEM"))
-    of_particles = chosen in OF_PARTICLES
+    chosen = method_of(case, method)
     w = weight
     if w is None:
-        w = "1" if method and of_particles else case.value(COUPLING, "weight", "1")
+        w = "1" if method and chosen.of_particles else case.value(COUPLING, "weight", "1")
     number = checked_weight(w)
-    if of_particles and number != 1:
+    if chosen.of_particles and number != 1:
         where = f"--weight {w}" if weight is not None else f"weight {w} of the case"
-        raise InputError(
-            f"{where} does not go with method {chosen}, which tracks every particle (W = 1): "
-            f"take --method {'CGPM' if chosen == 'DEM' else 'CGHS'} for parcels, or --weight 1"
-        )
-    if chosen in OF_PLUGINS and case.value(COUPLING, "plugins") in (None, "()"):
-        raise InputError(
-            f"method {chosen} takes its collisions from a plug-in, and the case names none: "
-            f"add `plugins ({OF_PLUGINS[chosen]});` to its {COUPLING}"
-        )
+        raise InputError(f"{where} does not go with method {chosen.name}, which tracks every particle (W = 1): "
+                         + (f"take --method {chosen.with_parcels} for parcels, or --weight 1" if chosen.with_parcels else "take --weight 1"))  # fmt: skip
+    if chosen.collisions_of_plugin and (not plugins_of(case) or chosen.plugin in methods.plugins_of_tree() - set(plugins_of(case))):
+        there = "names none" if not plugins_of(case) else f"does not name {chosen.plugin}"
+        raise InputError(f"method {chosen.name} takes its collisions from a plug-in, and the case {there}: "
+                         f"add `plugins ({chosen.plugin or 'NAME'});` to its {COUPLING}")  # fmt: skip
     if method:
-        case.set_at_source(COUPLING, "method", chosen)
-    if weight is not None or (method and of_particles and case.value(COUPLING, "weight") is not None):
+        case.set_at_source(COUPLING, "method", chosen.name)
+    if weight is not None or (method and chosen.of_particles and case.value(COUPLING, "weight") is not None):
         case.set_at_source(COUPLING, "weight", w)
-    return chosen, number
+    return chosen.name, number
 
 
 def anchor_plugins(case):

@@ -13,15 +13,13 @@ from dataclasses import dataclass
 import numpy
 from scipy import stats
 
-from interphase import trade
+from interphase import methods, trade
 from interphase.time_statistics import Mean
 
 FEWEST = 3  # runs that a line can be rejected by
 LEVEL = 0.05
 # Entries of --set that choose where a run begins or what it records, by their beginnings: none of them changes the bed that it comes to.
 NOT_OF_THE_BED = ("initialPacking=", "seed=", "records/", "statistics/", "system/couplingDict:records/", "system/couplingDict:statistics/", "checkpoint/")
-# The contacts of a method that tracks every sphere are those of the method of parcels.
-OF_PARCELS = {"TDHS": "CGHS", "DEM": "CGPM"}
 SOLID_STEP = ("particles/stepsPerCollision=", "particles/solidStep=", "system/couplingDict:particles/stepsPerCollision=",
               "system/couplingDict:particles/solidStep=")  # fmt: skip
 GAS_STEP = ("system/controlDict:deltaT=",)
@@ -92,7 +90,9 @@ def settings_of_the_bed(account, but=()):
 
 
 def _of_weight(account):
-    return OF_PARCELS.get(account.method, account.method), settings_of_the_bed(account, GAS_STEP), account.gas_step, account.case
+    # the contacts of a method that tracks every sphere are those of the method of parcels
+    known = methods.of_tree().get(account.method)
+    return known and known.with_parcels or account.method, settings_of_the_bed(account, GAS_STEP), account.gas_step, account.case
 
 
 def _of_solid_step(account):

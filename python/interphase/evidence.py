@@ -17,7 +17,6 @@ from interphase.input_error import InputError
 from interphase.tree import CASES
 
 COMMON = os.path.join(os.path.dirname(__file__), "trades.csv")
-PARCELS = ("CGPM", "CGHS", "MPPIC")
 
 # A measured scene says something of another one where each of these differs by no more than the factor. Wide: bubbles depend on all of them, and few
 # scenes are measured. The parcel's size decides most (van-wachem: half is lost at 0.31 of the depth, two thirds at 0.39).
@@ -166,7 +165,7 @@ LOSS = 0.2  # a share: of what is lost for sure, from which on one is warned
 def warnings(trades, method, parcel_over_depth):
     """Words on what parcels as wide in their vessel, or narrower, have lost elsewhere: of each scene and quantity the narrowest ones that lost more than
     LOSS for sure."""
-    if method not in PARCELS or not parcel_over_depth:
+    if not parcel_over_depth:
         return []
     worst = {}
     for trade in trades:

@@ -97,10 +97,14 @@ def step(arguments, log, environment, folder):
         raise StepFailed(f"{name} failed {how_it_ended(done.returncode)}. The end of {log}:\n{said}{hint}")
 
 
+def build_folder():
+    """Where our programs are built."""
+    return os.environ.get("INTERPHASE_BUILD") or os.path.join(REPOSITORY, "build", "release")
+
+
 def program(name):
     """The path of one of our programs: INTERPHASE_BIN, or what stands beside it, or the build's; InputError where it is not there."""
-    built = os.environ.get("INTERPHASE_BUILD") or os.path.join(REPOSITORY, "build", "release")
-    chosen = os.environ.get("INTERPHASE_BIN") or os.path.join(built, "interphase")
+    chosen = os.environ.get("INTERPHASE_BIN") or os.path.join(build_folder(), "interphase")
     path = chosen if name == "interphase" else os.path.join(os.path.dirname(os.path.realpath(chosen)), name)
     if not os.access(path, os.X_OK):
         raise InputError(f"{path}: the program is not there; `tools/setup` builds it, INTERPHASE_BIN names another interphase")

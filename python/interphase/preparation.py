@@ -7,12 +7,10 @@ Every function ends the program with a message that says what is wrong where a n
 import math
 import sys
 
-from interphase import data_file, parameters
+from interphase import data_file, methods, parameters
 from interphase.commands import bed
 from interphase.input_error import InputError
 
-# Methods that track every particle, and their counterparts for parcels
-PARCELS_INSTEAD = {"DEM": "CGPM", "TDHS": "CGHS"}
 
 
 def values():
@@ -44,11 +42,11 @@ def positive(value, key):
 def tracked_weight(value):
     """Real particles per tracked one, which must go with the method."""
     weight = number(value, "weight", lambda w: 1 <= w < math.inf, "1 or more: it counts real particles per tracked one")
-    method = value.get("method")
-    if method in PARCELS_INSTEAD and weight != 1:
+    method = methods.of_tree().get(value.get("method"))  # of others the program will tell
+    if method is not None and method.of_particles and weight != 1:
         sys.exit(
-            f"prepare: weight {weight:g} in parameters, but method {method} tracks every particle; "
-            f"set weight 1 or method {PARCELS_INSTEAD[method]}"
+            f"prepare: weight {weight:g} in parameters, but method {method.name} tracks every particle; "
+            f"set weight 1 or method {method.with_parcels}"
         )
     return weight
 

@@ -89,6 +89,12 @@ class Run:
         return series.Table(self._file("results.h5"), "ledger")
 
     @property
+    def counters(self):
+        """{name: Series} of /counters of results.h5: what fixes of plug-ins count, so far, a row with each of /series."""
+        series = module("series")
+        return series.Table(self._file("results.h5"), "counters")
+
+    @property
     def snapshots(self):
         """The particle snapshots that are whole, in order of time: a sequence of `Snapshot`, read when asked for."""
         snapshots = module("snapshots")

@@ -10,12 +10,11 @@ import os
 
 import numpy
 
-from interphase import particle_file
+from interphase import methods, particle_file
 from interphase.case_folder import Dictionaries
 from interphase.input_error import InputError
 from interphase.particle_script import particle_source
 
-OF_SPRINGS = ("DEM", "CGPM")
 # Of a radius. Springs are chosen for overlaps of some 2 % (a diameter's hundredth): at ten times that they hold a hundred times the
 # energy of the fastest contact they are for. The program tells of overlaps from 5 % on.
 DEEPEST = 0.2
@@ -48,7 +47,11 @@ def check_weight(start, weight, name):
 
 def check_springs(start, method):
     """InputError where springs would begin with overlaps far deeper than they are made for."""
-    if method not in OF_SPRINGS or start.method in OF_SPRINGS:
+    def of_springs(name):
+        known = methods.of_tree().get(name)
+        return known is not None and known.contacts == "resolved"
+
+    if not of_springs(method) or of_springs(start.method):
         return
     from interphase import bed_statistics  # scipy
 

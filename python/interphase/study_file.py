@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Optional
 
 from interphase import foam_file, sweep_plan
-from interphase.case_folder import OF_PARTICLES, checked_case, checked_method
+from interphase.case_folder import Dictionaries, checked_case, method_of
 from interphase.expanded_file import File
 from interphase.input_error import InputError
 from interphase.tree import CASES
@@ -96,17 +96,18 @@ def read(path):
     if file.words("case") is None:
         raise InputError(f"{path}: no entry case: add one")
     case = _case(file)
+    of_case = Dictionaries(case)
     blocks = file.entry("rows")
     names = [entry.key for entry in blocks.entries] if blocks is not None else []
-    of_file = _row(file, "", "", Row("study"))
-    rows = [_row(file, f"rows/{name}/", name, dataclasses.replace(of_file, name=name)) for name in names] or [of_file]
+    of_file = _row(file, of_case, "", "", Row("study"))
+    rows = [_row(file, of_case, f"rows/{name}/", name, dataclasses.replace(of_file, name=name)) for name in names] or [of_file]
     developed = None
     if file.entry("developed") is not None:
-        developed = Developed(file.number("developed/time"), *(checked_method(_word(file, f"developed/{key}", default)) for key, default in (
-            ("method", "TDHS"), ("methodOfParcels", "CGHS"))))
+        makers = [method_of(of_case, _word(file, f"developed/{key}", default)) for key, default in (("method", "TDHS"), ("methodOfParcels", "CGHS"))]
+        developed = Developed(file.number("developed/time"), *(each.name for each in makers))
         if developed.time <= 0:
             raise file.complaint("developed/time", f"= {developed.time:g}: a time above 0 is expected [s]")
-        if developed.method not in OF_PARTICLES or developed.of_parcels in OF_PARTICLES:
+        if [each.of_particles for each in makers] != [True, False]:
             raise file.complaint("developed", "takes a method that tracks every particle (DEM, TDHS), and one of parcels for methodOfParcels")
     for row in rows:
         if row.times and (developed is None or max(row.times) > developed.time):
@@ -141,7 +142,7 @@ def _case(file):
         raise file.complaint("case", f"= {word}: {error}") from None
 
 
-def _row(file, above, name, default):
+def _row(file, case, above, name, default):
     sets = dict(default.sets)
     for key, entry in SHORT.items():
         if (values := _list(file, above + key)) is not None:
@@ -157,7 +158,7 @@ def _row(file, above, name, default):
         ("until", default.until), ("from", default.start))}
     starts = file.ascending(above + "startTimes", default.times) if file.entry(above + "startTimes") is not None else default.times
     try:
-        methods = default.methods if methods is None else [checked_method(each) for each in methods]
+        methods = default.methods if methods is None else [method_of(case, each).name for each in methods]
     except InputError as error:
         raise file.complaint(above + "methods", f": {error}") from None
     weights = _list(file, above + "weights")

@@ -7,10 +7,10 @@ import os
 import re
 import subprocess
 
-from interphase import case_folder, foam_file, launch, report_scene, run_state, stored, sweep_plan
+from interphase import case_folder, foam_file, launch, methods, report_scene, run_state, stored, sweep_plan
 from interphase.box_mesh import BoxMesh, box_mesh
 from interphase.case import Case
-from interphase.case_folder import CONTROL, COUPLING, OF_PARTICLES, OF_PLUGINS
+from interphase.case_folder import CONTROL, COUPLING
 from interphase.input_error import InputError
 from interphase.report_vessel import Vessel
 
@@ -63,9 +63,8 @@ def _points(study, row):
     found = []
     base = Case(study.case)
     for method in methods:
-        chosen = base.method if method is None else method
         weights = row.weights
-        if weights is not None and chosen in OF_PARTICLES:
+        if weights is not None and base.method_of(method).of_particles:
             weights = None if method is not None else ["1"]
         try:
             found += sweep_plan.plan(study.case, row.sets, None if method is None else [method], weights, row.seeds, row.until)
@@ -92,13 +91,12 @@ def _check_snapshot(case, time, study):
 def check_plugins(study, plan, binary):
     """InputError where a method's plug-in is not there for the program."""
     case = case_folder.Dictionaries(study.case)
-    named = (case.value(COUPLING, "plugins") or "").strip("() ").split()
     folders = [each for each in os.environ.get("INTERPHASE_PLUGIN_PATH", "").split(":") if each]
     beside = os.path.dirname(os.path.realpath(binary))
     folders += [os.path.join(beside, "plugins"), os.path.normpath(os.path.join(beside, "..", "lib", "interphase", "plugins"))]
     for method in sorted({point.case.method for point in [*plan.beds, *plan.points]}):
-        plugin = OF_PLUGINS.get(method)
-        if plugin in named and not any(os.path.isfile(os.path.join(each, f"lib{plugin}.so")) for each in folders):
+        plugin = case_folder.method_of(case, method).plugin
+        if plugin in methods.plugins_of_tree() and not any(os.path.isfile(os.path.join(each, f"lib{plugin}.so")) for each in folders):
             raise InputError(f"{study.path}: method {method} takes its collisions from the plug-in {plugin}, and no lib{plugin}.so is in {', '.join(folders)}: "
                              "build it (tools/setup), or leave the method out")  # fmt: skip
 

@@ -45,7 +45,7 @@ def validate(scene, out, ranks):
     write_case(scene, coupled, ranks, gas_steps * inner * solid_step, inner * solid_step, f"solidStep {solid_step!r};")
     coupler(coupled, ranks)
     report = list(scene.notes)
-    if scene.method in case_folder.OF_PLUGINS:
+    if scene.collides_by_plugin:
         report.append(f"{scene.method} comes from a plug-in: the reference is interphase-liggghts, the packaged library with it")
     taken = find_run(coupled).solid_step()
     if taken is not None and taken != solid_step:

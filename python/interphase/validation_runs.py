@@ -27,7 +27,7 @@ def native_run(scene, folder, ranks, lines):
     shutil.copytree(scene.folder, folder)
     write(os.path.join(folder, SCRIPT), "\n".join(lines) + "\n")
     # No `-screen none`: LIGGGHTS dies of it where a script inserts particles or has meshes.
-    if scene.method in case_folder.OF_PLUGINS:
+    if scene.collides_by_plugin:
         program = [launch.program("interphase-liggghts")]
         for name in scene.plugins:
             program += ["-plugin", foam_file.unquoted(name)]

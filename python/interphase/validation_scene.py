@@ -6,7 +6,7 @@ import re
 import subprocess
 from dataclasses import dataclass, field
 
-from interphase import case_folder, foam_file
+from interphase import case_folder, foam_file, methods
 from interphase.input_error import InputError
 from interphase.particle_script import commands
 from interphase.tree import TOOLS
@@ -31,6 +31,11 @@ class Scene:
     plugins: tuple = ()
     wrong: dict = field(default_factory=dict)
     notes: list = field(default_factory=list)
+
+    @property
+    def collides_by_plugin(self):
+        """Whether its collisions are those of a fix of a plug-in."""
+        return methods.method(self.method, tuple(map(foam_file.unquoted, self.plugins)), self.folder).collisions_of_plugin
 
 
 def cut_at_last_run(path):
@@ -95,7 +100,7 @@ def scene_of_case(path, out, settings, until, variables, wrong):
     given = _values(case, particles, "particles/variables")
     text = case.value(case_folder.COUPLING, "particles/script")
     plugins = tuple(re.findall(r"[^\s()\"]+|\"[^\"]*\"", case.value(case_folder.COUPLING, "plugins", "()")))
-    method = case.value(case_folder.COUPLING, "method", "DEM")
+    method = case_folder.method_of(case).name
     script = os.path.join(folder, foam_file.unquoted(text))
     with open(script, encoding="utf-8") as stream:
         lines = stream.read().splitlines()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`interphase -help keys` tells every key of system/couplingDict, `-help counts` everything that runs count, in any folder and without
-a set-up of OpenFOAM; the pages in the tree are what it prints."""
+"""`interphase -help keys` tells every key of system/couplingDict, `-help counts` everything that runs count, `-help methods` the methods, in any folder
+and without a set-up of OpenFOAM; the pages in the tree are what it prints."""
 
 import os
 import subprocess
@@ -9,7 +9,8 @@ import unittest
 
 import support
 
-PAGES = {"keys": os.path.join(support.SOURCE, "coupler/settings/KEYS.md"), "counts": os.path.join(support.SOURCE, "tools/COUNTS.md")}
+PAGES = {"keys": os.path.join(support.SOURCE, "coupler/settings/KEYS.md"), "counts": os.path.join(support.SOURCE, "tools/COUNTS.md"),
+         "methods": os.path.join(support.SOURCE, "coupler/settings/METHODS.md")}
 
 
 class Pages(unittest.TestCase):

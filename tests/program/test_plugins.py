@@ -12,7 +12,10 @@ import math
 import os
 import re
 import subprocess
+from unittest import mock
 
+import h5py
+import interphase
 import support
 
 RANKS = (1, 2)
@@ -282,10 +285,16 @@ class Methods(PluginTest):
         return math.sqrt(m / 2 / 800 * (math.pi**2 + math.log(0.84) ** 2))
 
     def test_none_is_named(self):
-        for method, name in (("TDHS", "hard_sphere"), ("CGHS", "hard_sphere"), ("MPPIC", "mp_pic"), ("PLUGIN", "NAME")):
-            with self.subTest(method):
-                self.refused(self.coupled("", method=method), f"`method {method};` takes its collisions from a plug-in",
-                             rf"add `plugins \({name}\);`", r"couplingDict, line \d")  # fmt: skip
+        for method, name in (("TDHS", "hard_sphere"), ("CGHS", "hard_sphere"), ("MPPIC", "mp_pic"), ("KICKED", "counts_less")):
+            for plugins in ("", "plugins (kick);"):
+                with self.subTest(method, plugins=plugins):
+                    self.refused(self.coupled(plugins, method=method), f"`method {method};` is of the plug-in {name}, which `plugins` does not name",
+                                 rf"add `plugins \({name}\);`", r"couplingDict, line \d")  # fmt: skip
+        self.refused(self.coupled("", method="PLUGIN"), "`method PLUGIN;` takes its collisions from a plug-in", r"add `plugins \(NAME\);`")
+
+    def test_one_that_nobody_brings(self):
+        self.refused(self.coupled(["kick"], method="KICK"), "`method KICK;` names nothing that is there", "choose one of DEM, CGPM, PLUGIN")
+        self.refused(self.coupled(["own_method"], method="KICKER"), "did you mean `KICKED`?")
 
     def test_the_entry_is_no_list(self):
         for entry in ("plugins kick;", "plugins { kick; }", "plugins (kick 3);"):
@@ -293,18 +302,18 @@ class Methods(PluginTest):
                 self.refused(self.coupled(entry), "is no list of names", r"write `plugins \(", "couplingDict")
 
     def test_weights(self):
-        self.refused(self.coupled(["kick"], method="TDHS", more="weight 8;"), "`weight 8;` with method TDHS", "method CGHS")
+        self.refused(self.coupled(["kick", "hard_sphere"], method="TDHS", more="weight 8;"), "`weight 8;` with method TDHS", "method CGHS")
         for method in ("CGHS", "MPPIC", "PLUGIN"):
-            done = self.coupled(["kick"], method=method, more="weight 8;")
+            done = self.coupled(["kick", "hard_sphere", "mp_pic"], method=method, more="weight 8;")
             self.assertEqual(done.code, 0, done.text)
 
     def test_step_of_mp_pic(self):
         """The gas step, or what is given; nothing derives from collisions, which it does not have."""
-        self.assertAlmostEqual(self.solid_step(["kick"], method="MPPIC", step=""), GAS_STEP, delta=1e-12)
-        self.assertAlmostEqual(self.solid_step(["kick"], method="MPPIC"), STEP, delta=1e-12)
+        self.assertAlmostEqual(self.solid_step(["kick", "mp_pic"], method="MPPIC", step=""), GAS_STEP, delta=1e-12)
+        self.assertAlmostEqual(self.solid_step(["kick", "mp_pic"], method="MPPIC"), STEP, delta=1e-12)
         for entry in ("stepsPerCollision 4;", "largestOverlap 0.02; impactSpeed 1;"):
             with self.subTest(entry):
-                self.refused(self.coupled(["kick"], method="MPPIC", step=entry), f"{entry.split()[0]} with method MPPIC", "solidStep")
+                self.refused(self.coupled(["kick", "mp_pic"], method="MPPIC", step=entry), f"{entry.split()[0]} with method MPPIC", "solidStep")
 
     def test_a_script_without_the_plug_in_s_fix(self):
         self.refused(self.coupled(["kick"], script=SCENE + MOVE), "no fix of a plug-in is in the script", "one of these styles: test/kick")
@@ -315,7 +324,7 @@ class Methods(PluginTest):
                 "pair_style gran model hooke/stiffness absolute_damping on\npair_coeff * *\n")  # fmt: skip
         for method in ("TDHS", "MPPIC"):
             with self.subTest(method):
-                self.refused(self.coupled(["kick"], method=method, script=SCENE + pair + KICK + MOVE), "pair style gran", "count twice")
+                self.refused(self.coupled(["kick", "hard_sphere", "mp_pic"], method=method, script=SCENE + pair + KICK + MOVE), "pair style gran", "count twice")
 
     def test_step_of_hard_spheres(self):
         """t_c of the DEM whose stiffness and restitution the script gives, cut to divide the gas step."""
@@ -325,7 +334,7 @@ class Methods(PluginTest):
                 with self.subTest(method=method, entry=entry):
                     longest = self.collision_time() / parts
                     expected = GAS_STEP / math.ceil(GAS_STEP / longest)
-                    self.assertAlmostEqual(self.solid_step(["kick"], method=method, script=script, step=entry), expected, delta=1e-9)
+                    self.assertAlmostEqual(self.solid_step(["kick", "hard_sphere"], method=method, script=script, step=entry), expected, delta=1e-9)
 
     def test_step_of_a_user_s_own_method(self):
         """As careful as DEM where nothing is said, but any other number of steps will do."""
@@ -336,7 +345,7 @@ class Methods(PluginTest):
 
     def test_step_from_the_largest_overlap(self):
         """2 % of 10 mm at 0.5 m/s are 0.4 ms, cut to a third of the gas step."""
-        self.assertAlmostEqual(self.solid_step(["kick"], method="TDHS", step="largestOverlap 0.02; impactSpeed 0.5;"), GAS_STEP / 3,
+        self.assertAlmostEqual(self.solid_step(["kick", "hard_sphere"], method="TDHS", step="largestOverlap 0.02; impactSpeed 0.5;"), GAS_STEP / 3,
                                delta=1e-9)  # fmt: skip
 
     def test_steps_that_are_contradicted_or_incomplete(self):
@@ -353,11 +362,11 @@ class Methods(PluginTest):
             ("", "TDHS", "(?s)no stiffness and restitution.*largestOverlap.*coefficientRestitution"),
         ):
             with self.subTest(step=step, method=method):
-                self.refused(self.coupled(["kick"], method=method, step=step), expected)
+                self.refused(self.coupled(["kick", "hard_sphere"], method=method, step=step), expected)
 
     def test_restitution_above_one(self):
         script = SCENE + self.HARD.replace("0.84", "1.2") + KICK + MOVE
-        self.refused(self.coupled(["kick"], method="TDHS", script=script, step=""), r"coefficientRestitution is 1\.2", "from 0 to 1")
+        self.refused(self.coupled(["kick", "hard_sphere"], method="TDHS", script=script, step=""), r"coefficientRestitution is 1\.2", "from 0 to 1")
 
     def test_the_limit_that_a_fix_tells(self):
         """test/hasty bears 2e-6 s."""
@@ -368,3 +377,86 @@ class Methods(PluginTest):
         self.refused(self.coupled(["hasty"], script=script), r"solid step of 0\.0001 s is longer than the 2e-06 s")
         self.refused(self.coupled(["nonsense_limit"], script=script.replace("test/hasty", "test/nonsense"), step=""),
                      "solid step of at most -1 s", "solid_step_limit")  # fmt: skip
+
+
+class OwnMethods(PluginTest):
+    """A plug-in that brings a method and counters, KICKED of own_method: the coupler knows nothing of it but what it says of itself."""
+
+    SCRIPT = SCENE + "fix kick all test/own 0.5 0.25 -0.125\n" + MOVE
+
+    def test_it_is_one_like_any_other(self):
+        for ranks in RANKS:
+            with self.subTest(ranks=ranks):
+                done = self.coupled(["own_method"], ranks, method="KICKED", script=self.SCRIPT)
+                self.assertEqual(done.code, 0, done.text)
+                self.assertEqual(done.meta["method"], "KICKED")
+
+    def test_it_says_what_a_solid_step_is(self):
+        script = Methods.HARD + self.SCRIPT[len(SCENE):]
+        expected = GAS_STEP / math.ceil(GAS_STEP / (Methods.collision_time() / 5))
+        self.assertAlmostEqual(self.solid_step(["own_method"], method="KICKED", script=SCENE + script, step=""), expected, delta=1e-9)
+
+    def test_it_says_what_it_tracks(self):
+        self.refused(self.coupled(["own_method"], method="KICKED", script=self.SCRIPT, more="weight 8;"),
+                     "`weight 8;` with method KICKED, which tracks real particles", "set `weight 1;`")  # fmt: skip
+
+    def test_its_counters(self):
+        """Two particles, one on each of two ranks, get twenty kicks of 0.573 m/s."""
+        fastest = STEPS * math.sqrt(0.5**2 + 0.25**2 + 0.125**2)
+        for ranks in RANKS:
+            with self.subTest(ranks=ranks):
+                done = self.coupled(["own_method"], ranks, method="KICKED", script=self.SCRIPT, more="records { interval 1e-3; }")
+                self.assertRegex(done.out, rf"kicks given +{2 * STEPS} +look at it\n")
+                self.assertRegex(done.out, r"fastest kicked particle +11\.5 m/s +look at it\n")
+                with h5py.File(done.path("results.h5")) as results:
+                    rows = results["counters"]
+                    self.assertEqual(list(rows["time"]), list(results["series/time"]))
+                    self.assertEqual((rows["kicks"][0], rows["kicks"][-1], rows.attrs["kicks"]), (0, 2 * STEPS, 2 * STEPS))
+                    self.assertAlmostEqual(rows["fastest"][-1], fastest, delta=1e-12 * fastest)
+                    self.assertEqual(rows["fastest"].attrs["unit"], "m/s")
+
+    def test_without_counters_there_is_no_table(self):
+        with h5py.File(self.coupled(["kick"]).path("results.h5")) as results:
+            self.assertNotIn("counters", results)
+
+    def test_the_program_tells(self):
+        done = subprocess.run([support.PROGRAM, "-help", "methods", "own_method"], cwd=self.root, env=support.environment(**environment()), capture_output=True,
+                              text=True, timeout=60)  # fmt: skip
+        self.assertRegex(done.stdout, r"\| `KICKED` \| `own_method` \| particles \| \| single \| t_c/5 \| no \| kicks \|")
+        self.assertNotIn("TDHS", done.stdout)
+        done = subprocess.run([support.PROGRAM, "-help", "methods", "nowhere"], cwd=self.root, env=support.environment(**environment()), capture_output=True,
+                              text=True, timeout=60)  # fmt: skip
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, "there is no plug-in `nowhere`(.|\n)*where:  command line")
+        done = subprocess.run([support.PROGRAM, "-help", "counts", "own_method"], cwd=self.root, env=support.environment(**environment()), capture_output=True,
+                              text=True, timeout=60)  # fmt: skip
+        self.assertIn("## fastest kicked particle\n\n`fastest`. The speed of the fastest.\n\n- Look at it above 5 m/s.", done.stdout)
+
+    def test_tools_know_it(self):
+        """`kicked` is a method of a case that names the plug-in, and tracks particles."""
+        folder = os.path.join(self.root, "case")
+        support.write(os.path.join(folder, "system/controlDict"), CONTROL)
+        support.write(os.path.join(folder, "system/couplingDict"), COUPLING.format(method="DEM", plugins="plugins (own_method);", step="", more="weight 8;"))
+        with mock.patch.dict(os.environ, support.environment(INTERPHASE_BIN=support.PROGRAM, **environment())):
+            changed = interphase.Case(folder).set(method="kicked")
+            self.assertEqual((changed.method, changed.weight), ("KICKED", 1))
+            self.assertTrue(changed.method_of(None).of_particles)
+            with self.assertRaisesRegex(interphase.InputError, "method 'kickers' is unknown: did you mean"):
+                interphase.Case(folder).set(method="kickers")
+
+    def test_two_of_a_name(self):
+        self.everywhere_refused(["own_method", "same_method"],
+                                r"the method `KICKED` of the plug-in same_method \(.*\) is brought by the plug-in own_method \(.*\) already", "leave one")  # fmt: skip
+
+    def test_a_name_of_liggghts(self):
+        self.everywhere_refused(["takes_dem"], "the method `DEM` of the plug-in takes_dem .* has a name that is LIGGGHTS's own")
+
+    def test_names_that_nobody_could_write(self):
+        self.everywhere_refused(["no_word"], "the method `two words` .* is none that a case could name")
+        self.everywhere_refused(["no_counter"], "counts something as ``, which is no word")
+        self.everywhere_refused(["same_counters"], "counts something as `fastest`, which is there twice")
+
+    def test_a_fix_that_tells_other_counters(self):
+        for ranks in RANKS:
+            done = self.coupled(["counts_less"], ranks, method="KICKED")
+            self.refused(done, r"fix kick \(test/kick\) counts 1 things, and its plug-in counts_less names 2", "INTERPHASE_COUNTERS")

@@ -27,7 +27,7 @@ TEST(CountPage, HasWhatAStepCounts)
         test::BoxMesh::Planes{test::even_planes(0, 1, 4), test::even_planes(0, 1, 4), test::even_planes(0, 1, 4)}, 1.2,
         1.8e-5, {particle}, Vector(0, 0, -9.81), 1e-3, rules);
     const CountKinds known = counts_of_the_step();
-    const std::string page = count_page({});
+    const std::string page = count_page({}, {});
     for (const Count& count : scene.step.counts()) {
         EXPECT_NE(std::find(known.begin(), known.end(), count.kind), known.end()) << count.kind->key;
         EXPECT_NE(page.find("`" + std::string(count.kind->key) + "`"), std::string::npos) << count.kind->key;

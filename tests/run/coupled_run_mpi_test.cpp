@@ -24,6 +24,7 @@ using test::FakeCase;
 using test::FakeCaseGas;
 using test::FakeDictionary;
 using test::FakeEngine;
+using test::FakeMaker;
 using test::OpenFile;
 using test::Particle;
 using test::world;
@@ -50,18 +51,16 @@ protected:
 
     void run()
     {
-        CoupledRun coupled(
-            the_case,
-            [this](const Communicator& comm, const Settings&) {
-                auto made = std::make_unique<FakeEngine>(comm, comm.is_master() ? all : std::vector<Particle>{},
-                                                         particle_gravity);
-                made->collision_time = collision_time;
-                made->to_come = to_come;
-                if (comm.is_master()) made->coming = coming;
-                engine = made.get();
-                return made;
-            },
-            options);
+        const FakeMaker maker([this](const Communicator& comm) {
+            auto made =
+                std::make_unique<FakeEngine>(comm, comm.is_master() ? all : std::vector<Particle>{}, particle_gravity);
+            made->collision_time = collision_time;
+            made->to_come = to_come;
+            if (comm.is_master()) made->coming = coming;
+            engine = made.get();
+            return made;
+        });
+        CoupledRun coupled(the_case, maker, options);
         ended_by = coupled.run();
         advances = engine->advances;
     }

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "settings/read_settings.hpp"
+#include "support/methods.hpp"
 
 namespace {
 
@@ -31,7 +32,7 @@ TEST(KeyPage, GroupsKeysByBlock)
 
 TEST(KeyPage, HasEveryKeyOnce)
 {
-    const std::vector<KeyDescription> keys = setting_keys();
+    const std::vector<KeyDescription> keys = setting_keys(test::FakeMethods());
     ASSERT_FALSE(keys.empty());
     for (const KeyDescription& key : keys) {
         const auto same = [&](const KeyDescription& k) { return k.name == key.name && k.block == key.block; };

@@ -13,6 +13,7 @@
 
 #include "forces/drag/drag_law.hpp"
 #include "support/fake_dictionary.hpp"
+#include "support/methods.hpp"
 #include "support/refused.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -44,7 +45,7 @@ protected:
 
     Settings read_as_given(const Block& entries, const Block& scene = {}) const
     {
-        return read_settings(FakeDictionary(entries), FakeDictionary(scene), folder_);
+        return read_settings(FakeDictionary(entries), FakeDictionary(scene), folder_, test::FakeMethods());
     }
 
     /// The problem's what, where and remedy.
@@ -63,7 +64,7 @@ protected:
 TEST_F(ReadSettings, NeedsAScriptAndHasDefaultsForTheRest)
 {
     const Settings s = read({});
-    EXPECT_EQ(s.method, Method::dem);
+    EXPECT_EQ(s.method.name, "SPRINGS");
     EXPECT_EQ(s.weight, 1);
     EXPECT_TRUE(s.plugins.empty());
     EXPECT_EQ(s.script, "in.liggghts");
@@ -88,22 +89,19 @@ TEST_F(ReadSettings, NeedsAScriptAndHasDefaultsForTheRest)
 TEST_F(ReadSettings, EachKeySetsItsOwn)
 {
     const Points taps{Vector(0, 0, 0.1), Vector(0, 0, 0.4)};
-    const Settings s = read(
-        {{"method", "CGHS"},
-         {"weight", 8.0},
-         {"plugins", Names{"hard_sphere", "./mine.so"}},
-         {"gas", Block{{"model", "pimple"}, {"coupling", "oneWay"}}},
-         {"drag", Block{{"law", "Ergun"}}},
-         {"mapping", Block{{"type", "kernel"}, {"width", 0.02}, {"maximumPacking", 0.6}}},
-         {"outsideMesh", "ignore"},
-         {"records", Block{{"interval", 0.1}, {"snapshotInterval", 0.2}, {"pressureTaps", taps}}}},
-        {{"variables", Block{{"radius", 0.5}, {"kind", "coarse"}}}, {"largestOverlap", 0.1}, {"impactSpeed", 2.0}});
-    EXPECT_EQ(s.method, Method::cghs);
+    const Settings s = read({{"method", "MEAN"},
+                             {"weight", 8.0},
+                             {"plugins", Names{"mean", "./mine.so"}},
+                             {"gas", Block{{"model", "pimple"}, {"coupling", "oneWay"}}},
+                             {"drag", Block{{"law", "Ergun"}}},
+                             {"mapping", Block{{"type", "kernel"}, {"width", 0.02}, {"maximumPacking", 0.6}}},
+                             {"outsideMesh", "ignore"},
+                             {"records", Block{{"interval", 0.1}, {"snapshotInterval", 0.2}, {"pressureTaps", taps}}}},
+                            {{"variables", Block{{"radius", 0.5}, {"kind", "coarse"}}}});
+    EXPECT_EQ(s.method.name, "MEAN");
     EXPECT_EQ(s.weight, 8);
-    EXPECT_EQ(s.plugins, (Names{"hard_sphere", "./mine.so"}));
+    EXPECT_EQ(s.plugins, (Names{"mean", "./mine.so"}));
     EXPECT_EQ(s.variables, (std::vector<std::pair<std::string, std::string>>{{"radius", "0.5"}, {"kind", "coarse"}}));
-    EXPECT_EQ(s.largest_overlap, 0.1);
-    EXPECT_EQ(s.impact_speed, 2);
     EXPECT_EQ(s.gas, GasModel::pimple);
     EXPECT_FALSE(s.two_way);
     EXPECT_EQ(s.drag_law, "Ergun");
@@ -116,21 +114,24 @@ TEST_F(ReadSettings, EachKeySetsItsOwn)
     EXPECT_EQ(read({{"mapping", Block{{"type", "cellCentre"}}}}).mapping.type, MappingType::cell_centre);
     EXPECT_EQ(read({{"mapping", Block{{"widthInDiameters", 3.5}}}}).mapping.width_in_diameters, 3.5);
     EXPECT_EQ(read({}, {{"solidStep", 1e-5}}).solid_step, 1e-5);
+    const Settings hard =
+        read({{"method", "IMPULSES"}, {"plugins", Names{"impulses"}}}, {{"largestOverlap", 0.1}, {"impactSpeed", 2.0}});
+    EXPECT_EQ(hard.largest_overlap, 0.1);
+    EXPECT_EQ(hard.impact_speed, 2);
 }
 
 TEST_F(ReadSettings, KnowsAllMethodsAndLawsByTheirNames)
 {
-    for (const Method method : all_methods) {
-        const Settings s = read({{"method", name_of(method).c_str()}, {"plugins", Names{"any"}}});
-        EXPECT_EQ(s.method, method) << name_of(method);
-    }
+    const Names plugins{"impulses", "mean"};
+    for (const Method& method : test::FakeMethods().methods(plugins))
+        EXPECT_EQ(read({{"method", method.name.c_str()}, {"plugins", plugins}}).method.name, method.name);
     for (const DragLaw& law : drag_laws())
         EXPECT_EQ(read({{"drag", Block{{"law", std::string(law.name).c_str()}}}}).drag_law, law.name);
 }
 
-TEST_F(ReadSettings, HardSpheresTakeACollisionsTimeInOneStep)
+TEST_F(ReadSettings, AMethodSaysHowManyStepsACollisionTakes)
 {
-    const Block hard{{"method", "TDHS"}, {"plugins", Names{"hard_sphere"}}};
+    const Block hard{{"method", "IMPULSES"}, {"plugins", Names{"impulses"}}};
     EXPECT_EQ(read(hard).steps_per_collision, 1);
     EXPECT_EQ(read(hard, {{"stepsPerCollision", 0.5}}).steps_per_collision, 0.5);
 }
@@ -152,28 +153,30 @@ TEST_F(ReadSettings, AWeightWantsParcels)
         "`weight 0.5;` is not accepted: it must be a number, at least 1 (real particles per tracked one, unless the "
         "script gives each its own)",
         "dict, line 1", "correct the value (SI units)");
-    refuses({{"method", "DEM"}, {"weight", 8.0}}, {}, "`weight 8;` with method DEM, which tracks real particles",
-            "dict, line 2", "set `weight 1;`, or `method CGPM;`");
-    refuses({{"method", "TDHS"}, {"weight", 8.0}, {"plugins", Names{"hard_sphere"}}}, {},
-            "`weight 8;` with method TDHS, which tracks real particles", "dict, line 2",
-            "set `weight 1;`, or `method CGHS;`");
+    refuses({{"method", "SPRINGS"}, {"weight", 8.0}}, {},
+            "`weight 8;` with method SPRINGS, which tracks real particles", "dict, line 2",
+            "set `weight 1;`, or take method PARCELS");
+    refuses({{"method", "IMPULSES"}, {"weight", 8.0}, {"plugins", Names{"impulses"}}}, {},
+            "`weight 8;` with method IMPULSES, which tracks real particles", "dict, line 2", "set `weight 1;`");
 }
 
 TEST_F(ReadSettings, MethodsOfPlugInsWantOne)
 {
-    const auto what = [](const std::string& method) {
-        return "`method " + method + ";` takes its collisions from a plug-in, and none is named";
-    };
-    for (const char* method : {"TDHS", "CGHS"})
-        refuses({{"method", method}}, {}, what(method), "dict, line 1", "add `plugins (hard_sphere);`");
-    refuses({{"method", "MPPIC"}}, {}, what("MPPIC"), "dict, line 1", "add `plugins (mp_pic);`");
-    refuses({{"method", "PLUGIN"}}, {}, what("PLUGIN"), "dict, line 1",
-            "add `plugins (NAME);` with the name or \"path\" of yours");
+    refuses({{"method", "MEAN"}}, {}, "`method MEAN;` is of the plug-in mean, which `plugins` does not name",
+            "dict, line 1", "add `plugins (mean);`");
+    refuses({{"method", "MEAN"}, {"plugins", Names{"impulses"}}}, {},
+            "`method MEAN;` is of the plug-in mean, which `plugins` does not name", "dict, line 1",
+            "add `plugins (mean);`");
+    refuses({{"method", "WHATEVER"}}, {}, "`method WHATEVER;` takes its collisions from a plug-in, and none is named",
+            "dict, line 1", "add `plugins (NAME);` with the name or \"path\" of yours");
+    refuses({{"method", "IMPULSE"}, {"plugins", Names{"impulses"}}}, {},
+            "`method IMPULSE;` names nothing that is there", "dict, line 1",
+            "did you mean `IMPULSES`? choose one of SPRINGS, PARCELS, WHATEVER, IMPULSES");
 }
 
 TEST_F(ReadSettings, WantsTheBlockOfParticles)
 {
-    const Problem problem = test::refused([&] { read_as_given({{"method", "DEM"}}); });
+    const Problem problem = test::refused([&] { read_as_given({{"method", "SPRINGS"}}); });
     EXPECT_EQ(problem.what, "the block `particles { ... }` is missing");
     EXPECT_EQ(problem.where, "dict");
     EXPECT_EQ(problem.remedy, "add it, with the LIGGGHTS script");
@@ -193,7 +196,7 @@ TEST_F(ReadSettings, WantsAScriptThatIsThere)
 
 TEST_F(ReadSettings, ResolvedContactsWantSmallSteps)
 {
-    for (const char* method : {"DEM", "CGPM"}) {
+    for (const char* method : {"SPRINGS", "PARCELS"}) {
         const Problem few = test::refused([&] { read({{"method", method}}, {{"stepsPerCollision", 9.0}}); });
         EXPECT_NE(few.what.find("`stepsPerCollision 9;` is not accepted: it must be a number, at least 10 ("),
                   std::string::npos)
@@ -209,16 +212,16 @@ TEST_F(ReadSettings, ResolvedContactsWantSmallSteps)
 
 TEST_F(ReadSettings, AStressHasNoSingleCollisions)
 {
-    const Block stress{{"method", "MPPIC"}, {"plugins", Names{"mp_pic"}}};
+    const Block stress{{"method", "MEAN"}, {"plugins", Names{"mean"}}};
     for (const char* key : {"stepsPerCollision", "largestOverlap", "impactSpeed"})
-        refuses(stress, {{key, 0.1}}, std::string(key) + " with method MPPIC, which has no single collisions",
+        refuses(stress, {{key, 0.1}}, std::string(key) + " with method MEAN, which has no single collisions",
                 "dict.particles, line 2", "leave it away for the gas step, or give solidStep");
     EXPECT_EQ(read(stress, {{"solidStep", 1e-4}}).solid_step, 1e-4);
 }
 
 TEST_F(ReadSettings, TheSolidStepHasOneRule)
 {
-    const Block hard{{"method", "CGHS"}, {"plugins", Names{"hard_sphere"}}};
+    const Block hard{{"method", "IMPULSES"}, {"plugins", Names{"impulses"}}};
     const std::string both = "give both: the solid step is largestOverlap * diameter / impactSpeed";
     refuses(hard, {{"largestOverlap", 0.1}}, "largestOverlap is given alone", "dict.particles, line 2", both);
     refuses(hard, {{"impactSpeed", 0.1}}, "impactSpeed is given alone", "dict.particles, line 2", both);
@@ -316,11 +319,11 @@ TEST_F(ReadSettings, NumbersKeepToTheirRanges)
 TEST_F(ReadSettings, RefusesUnknownKeysAndBlocks)
 {
     refuses({{"wieght", 8.0}}, {}, "unknown entry `wieght`", "dict, line 1",
-            "did you mean `weight`? known here: method, weight, plugins, particles, gas, drag, forces, mapping, "
+            "did you mean `weight`? known here: plugins, method, weight, particles, gas, drag, forces, mapping, "
             "outsideMesh, "
             "records, statistics, checkpoint");
     refuses({{"maping", Block{}}}, {}, "unknown entry `maping`", "dict, line 1",
-            "did you mean `mapping`? known here: method, weight, plugins, particles, gas, drag, forces, mapping, "
+            "did you mean `mapping`? known here: plugins, method, weight, particles, gas, drag, forces, mapping, "
             "outsideMesh, "
             "records, statistics, checkpoint");
     refuses({{"gas", Block{{"modell", "none"}}}}, {}, "unknown entry `modell`", "dict.gas, line 1",
@@ -338,7 +341,7 @@ TEST_F(ReadSettings, ASpeltSlipOfALawIsRecognised)
 TEST_F(ReadSettings, TheScenesOwnNumbersMayStandBesideTheKeys)
 {
     const Block scene{{"diameter", 1e-3}, {"height", 0.2}};
-    EXPECT_EQ(read({{"diameter", 1e-3}, {"height", 0.2}, {"method", "DEM"}}, {}, scene).method, Method::dem);
+    EXPECT_EQ(read({{"diameter", 1e-3}, {"height", 0.2}, {"method", "SPRINGS"}}, {}, scene).method.name, "SPRINGS");
     const Problem other = test::refused([&] { read({{"diameter", 1e-3}, {"depth", 0.2}}, {}, scene); });
     EXPECT_EQ(other.what, "unknown entry `depth`");
     const Problem inside = test::refused([&] { read({{"gas", Block{{"diameter", 1e-3}}}}, {}, scene); });

@@ -10,6 +10,7 @@
 
 #include "base/sphere.hpp"
 #include "base/user_error.hpp"
+#include "support/methods.hpp"
 #include "support/scene.hpp"
 #include "support/world.hpp"
 
@@ -237,14 +238,14 @@ TEST(Population, WhoComesAndGoesInOneStepIsCountedTwice)
 
 TEST(Population, ParcelsAmongRealParticlesAreRefused)
 {
-    for (const Method method : {Method::dem, Method::tdhs, Method::cgpm}) {
+    for (const Method& method : {test::springs(), test::impulses(), test::parcels()}) {
         Settings rules;
         rules.method = method;
         const auto s = scene(some(40), rules);
         Particle parcel = sphere(101, {1.5, 1.5, 3});
         parcel.weight = 8;
         if (world().is_master()) s->particles.insert_next(parcel);
-        EXPECT_EQ(message_of(*s).find("with a weight of 8") != std::string::npos, method != Method::cgpm);
+        EXPECT_EQ(message_of(*s).find("with a weight of 8") != std::string::npos, !method.tracks_parcels);
     }
 }
 

@@ -11,6 +11,7 @@
 #include "run/particle_engine.hpp"
 #include "support/box_gas.hpp"
 #include "support/fake_dictionary.hpp"
+#include "support/methods.hpp"
 #include "support/point_particles.hpp"
 
 namespace interphase::test {
@@ -162,6 +163,24 @@ private:
     std::vector<Particle> mine_;
     Vector gravity_;
     PointParticles points_;
+};
+
+/// Makes one, with the methods of FakeMethods.
+class FakeMaker : public ParticleEngineMaker {
+public:
+    using Make = std::function<std::unique_ptr<FakeEngine>(const Communicator&)>;
+    explicit FakeMaker(Make make) : make_(std::move(make)) {}
+
+    Methods methods(const std::vector<std::string>& plugins) const override { return methods_.methods(plugins); }
+    std::string plugin_with(const std::string& method) const override { return methods_.plugin_with(method); }
+    std::unique_ptr<ParticleEngine> make(const Communicator& comm, const Settings&) const override
+    {
+        return make_(comm);
+    }
+
+private:
+    FakeMethods methods_;
+    Make make_;
 };
 
 }  // namespace interphase::test

@@ -38,6 +38,7 @@ public:
     std::optional<double> number(const std::string& key) const override { return as<double>(key); }
     std::optional<std::string> text(const std::string& key) const override { return as<std::string>(key); }
     std::optional<Names> names(const std::string& key) const override { return as<Names>(key); }
+    std::optional<Names> texts(const std::string& key) const override { return as<Names>(key); }
     std::optional<Numbers> numbers(const std::string& key) const override { return as<Numbers>(key); }
     std::optional<Points> points(const std::string& key) const override { return as<Points>(key); }
     std::unique_ptr<Dictionary> block(const std::string& key) const override;

@@ -43,6 +43,7 @@ class Refusals(Bench):
             with self.subTest(name):
                 self.assertIn(f"the name '{name}' will not do: give lower-case letters", self.refused(name, "folder"))
         self.assertIn("my_install", self.refused("install", "folder"))
+        self.assertIn("would be TDHS, which there is already", self.refused("tdhs", "folder"))
         self.assertEqual(os.listdir(self.root), [])
 
     def test_a_folder_with_something_in_it(self):
@@ -82,10 +83,15 @@ class WholePath(Bench):
         self.succeed("ctest", "--test-dir", build, "--output-on-failure", "--no-tests=error")
 
         out = os.path.join(self.root, "out")
-        self.succeed(os.path.join(TOOLS, "run"), os.path.join(plugin, "case"), "--out", out, "--no-picture",
+        self.succeed(os.path.join(TOOLS, "run"), os.path.join(plugin, "case"), "--method", "soft-ball", "--out", out, "--no-picture",
                      INTERPHASE_BIN=os.path.join(BUILD, "interphase"))  # fmt: skip
         run = Run(out)
         self.assertIn("soft_ball/spheres", run.meta["plugins"])
+        self.assertEqual(run.meta["method"], "SOFT_BALL")
+        deepest = run.counters["deepest_overlap"].values[-1]
+        self.assertGreater(deepest, 0)
+        with open(os.path.join(out, "log.interphase"), encoding="utf-8") as log:
+            self.assertRegex(log.read(), r"deepest overlap +[0-9.]+ R +ordinary")
         self.assertAlmostEqual(run.meta["simulated_time"], 0.1, delta=1e-9)
         self.assertEqual(run.series["particles"].values[-1], run.meta["particles"], "no sphere was lost")
         self.assertLess(abs(run.ledger["momentum_residual"].values).max(), 1e-12)

@@ -95,6 +95,19 @@ std::optional<std::vector<std::string>> FoamDictionary::names(const std::string&
     return found;
 }
 
+std::optional<std::vector<std::string>> FoamDictionary::texts(const std::string& key) const
+{
+    const auto tokens = listed_in(tokens_of(dict_, key));
+    if (!tokens) return std::nullopt;
+    std::vector<std::string> found;
+    for (const Foam::token& token : *tokens) {
+        const auto text = text_of(token);
+        if (!text) return std::nullopt;
+        found.push_back(*text);
+    }
+    return found;
+}
+
 std::optional<Scalars> FoamDictionary::numbers(const std::string& key) const
 {
     const auto tokens = listed_in(tokens_of(dict_, key));

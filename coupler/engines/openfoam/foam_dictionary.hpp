@@ -20,6 +20,7 @@ public:
     std::optional<double> number(const std::string& key) const override;
     std::optional<std::string> text(const std::string& key) const override;
     std::optional<std::vector<std::string>> names(const std::string& key) const override;
+    std::optional<std::vector<std::string>> texts(const std::string& key) const override;
     std::optional<Scalars> numbers(const std::string& key) const override;
     std::optional<std::vector<Vector>> points(const std::string& key) const override;
     std::unique_ptr<Dictionary> block(const std::string& key) const override;

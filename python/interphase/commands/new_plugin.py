@@ -5,7 +5,7 @@ import argparse
 import os
 import re
 
-from interphase import exits
+from interphase import exits, methods
 from interphase.input_error import InputError
 from interphase.tree import REPOSITORY, TOOLS
 
@@ -15,9 +15,9 @@ WITH_MEMORY = os.path.join(TOOLS, "templates", "plugin_with_memory")
 LAW = os.path.join(TOOLS, "templates", "plugin_law")
 
 # What the two kinds put into the files that they share.
-FORCE_VALUES = {"SOURCE": "fix_@NAME@.cpp", "LIBRARY": "contacts", "WALL": "wall/@NAME@", "STEPS": "20",
+FORCE_VALUES = {"SOURCE": "fix_@NAME@.cpp", "LIBRARY": "contacts", "WALL": "wall/@NAME@",
                 "COLLIDES": "fix             push all @NAME@/spheres\nfix             move all nve/sphere"}  # fmt: skip
-LAW_VALUES = {"SOURCE": "@NAME@.cpp", "LIBRARY": "hard_sphere", "WALL": "wall/tdhs/@NAME@", "STEPS": "1",
+LAW_VALUES = {"SOURCE": "@NAME@.cpp", "LIBRARY": "hard_sphere", "WALL": "wall/tdhs/@NAME@",
               "COLLIDES": "fix             yields all property/global yieldSpeed peratomtypepair 1 0.5\nfix             move all tdhs/@NAME@"}  # fmt: skip
 OF_FORCES = ("fix_@NAME@.cpp", "test_collisions.py")  # files of TEMPLATE that a law has no use for
 
@@ -54,6 +54,8 @@ def checked_name(name):
                       "since the library, the class and the style are called after it")  # fmt: skip
     if name in TAKEN:
         raise InputError(f"the name '{name}' is one that CMake keeps for itself: give another one, such as my_{name}")
+    if name.upper() in methods.of_tree():
+        raise InputError(f"the name '{name}' will not do: the plug-in's method would be {name.upper()}, which there is already; give another one")
     return name
 
 
@@ -97,7 +99,7 @@ def main():
     folder = checked_folder(given.folder or name)
     build = os.path.join(REPOSITORY, "build", "release")
     try:
-        values = {**(LAW_VALUES if given.law else FORCE_VALUES), "NAME": name, "CLASS": "".join(part.capitalize() for part in name.split("_")),
+        values = {**(LAW_VALUES if given.law else FORCE_VALUES), "NAME": name, "METHOD": name.upper(), "CLASS": "".join(part.capitalize() for part in name.split("_")),
                   "INTERPHASE_BUILD": build, "INTERPHASE_TOOLS": TOOLS}  # fmt: skip
         write(TEMPLATE, folder, values, without=OF_FORCES if given.law else ())
         if given.law or given.with_memory:

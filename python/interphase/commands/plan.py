@@ -38,7 +38,6 @@ Archimedes number, U/U_mf, and parcels, over depth and over cell, are near to th
 
 exit code: 0; 1 where no method could be measured, or --check found one off by more than 20 %; 2 where the command line or the case is refused."""
 
-ALL = ("MPPIC", "CGHS", "CGPM", "TDHS", "DEM")  # the cheap ones first
 USUAL_WEIGHT = 8.0
 SCOUTING = 3.0  # times what the others may take
 ENOUGH = 0.9  # of the run to plan, measured itself
@@ -49,7 +48,7 @@ def arguments():
     parser = Parser("tools/plan", "CASE", description=__doc__, epilog=EXAMPLES)
     parser.add_argument("case", metavar="CASE", help="a case folder, such as cases/sscp1")
     parser.add_argument("--set", metavar="NAME=VALUE", action="append", default=[], dest="settings", help="as of tools/run; may be given again")
-    parser.add_argument("--method", metavar="M,M,...", help=f"of {', '.join(case_folder.METHODS)} (default: all that the case can run)")
+    parser.add_argument("--method", metavar="M,M,...", help="collision methods (default: all that the case can run)")
     parser.add_argument("--weight", metavar="W,W,...", help="real particles per parcel (default: the case's, 8 where that is 1)")
     parser.add_argument("--until", metavar="T", type=end_time, help="simulated time of the run to plan, in s (default: the case's)")
     parser.add_argument("--ranks", metavar="N", type=count, default=1, help="MPI ranks of it (default 1)")
@@ -62,19 +61,30 @@ def arguments():
 
 def candidates(case, given):
     """[(method, weight)] to be looked at, the cheap ones first; InputError for one that there is not."""
-    wanted = [case_folder.checked_method(each) for each in listed(given.method)] if given.method else None
+    named = [case.method_of(each) for each in listed(given.method)] if given.method else None
     weights = [case_folder.checked_weight(each) for each in listed(given.weight)] if given.weight else None
     weights = weights or [case.weight if case.weight > 1 else USUAL_WEIGHT]
     found = []
-    for method in wanted or (ALL if case.method in ALL else (case.method,)):
-        if method in case_folder.OF_PARTICLES:
-            found.append((method, 1.0))
-        else:
-            found += [(method, weight) for weight in weights]
-    found = list(dict.fromkeys(found))
-    if wanted and weights and given.weight and not any(method not in case_folder.OF_PARTICLES for method, _ in found) and weights != [1.0]:
-        raise InputError(f"--weight {given.weight}: {', '.join(wanted)} track every particle (W = 1): add CGPM, CGHS or MPPIC, or leave --weight away")
-    return sorted(found, key=lambda each: (ALL.index(each[0]) if each[0] in ALL else 0, -each[1]))
+    for method in sorted(named or can_be_tried(case), key=cheap_first):
+        found += [(method.name, weight) for weight in ([1.0] if method.of_particles else sorted(weights, reverse=True))]
+    if named and given.weight and weights != [1.0] and all(method.of_particles for method in named):
+        instead = " or ".join(dict.fromkeys(method.with_parcels for method in named if method.with_parcels))
+        raise InputError(f"--weight {given.weight}: {', '.join(method.name for method in named)} track every particle (W = 1): "
+                         + (f"add {instead}, or leave --weight away" if instead else "leave --weight away"))  # fmt: skip
+    return list(dict.fromkeys(found))
+
+
+def can_be_tried(case):
+    """The methods that plug-ins of the case and LIGGGHTS bring; whether its script has them, a short run will tell. Its own alone where that is whatever a
+    plug-in does."""
+    own = case.method_of(None)
+    brought = [each for each in case.methods().values() if each.plugin or not each.collisions_of_plugin]
+    return brought if own in brought else [own]
+
+
+def cheap_first(method):
+    """A key to sort by: parcels before particles, means before impulses before springs."""
+    return method.of_particles, ("none", "single", "resolved").index(method.contacts)
 
 
 def changed(case, method, weight):

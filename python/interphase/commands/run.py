@@ -64,7 +64,7 @@ def arguments():
         epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("case", metavar="CASE", nargs="?", help="a case folder, such as cases/sscp1")
-    parser.add_argument("--method", help=f"collision method: {', '.join(case_folder.METHODS)} (default: the case's)")
+    parser.add_argument("--method", help="collision method: DEM, CGPM, TDHS, CGHS, MPPIC, or one that a plug-in of the case brings (default: the case's)")
     parser.add_argument("--weight", metavar="W", help="real particles per parcel, 1 for DEM and TDHS (default: the case's)")
     parser.add_argument("--ranks", metavar="N", type=int, help="MPI ranks (default: 1)")
     parser.add_argument("--until", metavar="T", help="simulated time to end at, in s (default: the case's)")

@@ -50,7 +50,7 @@ def arguments():
     parser = Parser("tools/sweep", "CASE", description=__doc__, epilog=EXAMPLES)
     parser.add_argument("case", metavar="CASE", help="a case folder, such as cases/sscp1")
     parser.add_argument("--set", metavar="NAME=V,V,...", action="append", default=[], dest="settings", help="values of an entry; may be given again")
-    parser.add_argument("--method", metavar="M,M,...", help=f"collision methods, of {', '.join(case_folder.METHODS)} (default: the case's)")
+    parser.add_argument("--method", metavar="M,M,...", help="collision methods, as of tools/run (default: the case's)")
     parser.add_argument("--weight", metavar="W,W,...", help="real particles per parcel (default: the case's; DEM and TDHS: 1)")
     parser.add_argument("--seeds", metavar="N", type=count, help="runs of each combination, each from another start")
     parser.add_argument("--until", metavar="T", type=end_time, help="simulated time to end at, in s (default: the case's)")

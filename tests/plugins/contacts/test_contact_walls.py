@@ -34,6 +34,33 @@ class Walls(ContactTest):
             self.assertAlmostEqual(states[-1]["vx"][0], -restitution, delta=0.01)  # a collision has 160 steps
 
 
+class MovingWalls(ContactTest):
+    def write_floor(self):
+        with open(os.path.join(self.root, "floor.stl"), "w", encoding="utf-8") as file:
+            file.write(triangles.stl(triangles.square(3, (0, 0, 0), (0.1, 0, 0), (0, 0.1, 0), seed=2)))
+
+    def test_a_floor_that_rises(self):
+        """At u it meets a sphere at rest, which leaves with (1 + e) u."""
+        self.write_floor()
+        rises = MESH.replace("fix floor", "fix lift all move/mesh mesh mesh linear 0.0 0.0 0.5\nfix floor")
+        for plugin in (PLAIN, KEPT):
+            for ranks in (1, 2):
+                end = self.states(plugin, scene(plugin, sphere(1, 0.004, (0.04, 0.05, 0.01)), rises + "run 6000\n", 6000), ranks)[-1]
+                self.assertAlmostEqual(end["vz"][0], 1.7 * 0.5, delta=0.01)  # a collision has 160 steps
+                self.assertAlmostEqual(end["vx"][0], 0, delta=1e-12)
+
+    def test_a_belt(self):
+        """It drags a sphere by mu g until that rolls with 2/7 of its speed."""
+        self.write_floor()
+        belt = MESH.replace("type 1", "type 1 surface_vel 0.2 0 0") + GRAVITY
+        until = round(2 / 7 * 0.2 / (0.3 * 9.81) / 1e-5)
+        for plugin in (PLAIN, KEPT):
+            lines = sphere(1, 0.004, (0.02, 0.05, 0.004 - 2000 * 4 / 3 * 3.14159265 * 0.004**3 * 9.81 / 1000))  # as deep as its weight presses it
+            half, *_, end = self.states(plugin, scene(plugin, lines, belt + f"run {4 * until}\n", until // 2))[1:]
+            self.assertAlmostEqual(half["vx"][0] / (0.3 * 9.81 * (until // 2) * 1e-5), 1, delta=0.02)  # friction sets in within a few steps, or as its spring stretches
+            self.assertAlmostEqual(end["vx"][0] / (2 / 7 * 0.2), 1, delta=0.02)
+
+
 class Restart(ContactTest):
     def test_native_restart(self):
         """A heap that friction's springs hold, stopped, read from LIGGGHTS's restart file and taken further: as one that went on, to the last
@@ -84,9 +111,3 @@ class Refusals(ContactTest):
         touching = self.ONE + sphere(2, 0.004, (0.0579, 0.05, 0.05))
         self.refused(scene("nan_contacts", touching, "run 100\n"), "nan_contacts/spheres: the law answers a force of (", "on sphere 1, at an overlap of 0.0001",
                      "with sphere 2", "Look for a division by 0", plugin="nan_contacts")  # fmt: skip
-
-    def test_moving_meshes(self):
-        with open(os.path.join(self.root, "floor.stl"), "w", encoding="utf-8") as file:
-            file.write(triangles.stl(triangles.square(2, (0, 0, 0), (0.1, 0, 0), (0, 0.1, 0))))
-        moved = MESH.replace("fix floor", "fix lift all move/mesh mesh mesh linear 0.0 0.0 0.1\nfix floor")
-        self.refused(scene(PLAIN, self.ONE, moved + "run 1\n"), "mesh 'mesh' moves; only resting meshes are known here")

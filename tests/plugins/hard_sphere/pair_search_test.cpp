@@ -198,7 +198,7 @@ TEST(WallContacts, WithTrianglesTouchWhereAPlaneDoes)
     const StepLimits limits{scene.step, scene.margin, scene.touching, 0, 0, 0, scene.fastest * scene.step};
     std::vector<std::unique_ptr<walls::Wall>> plane, mesh;
     plane.push_back(std::make_unique<walls::PlaneWall>(0, 2, level));
-    mesh.push_back(std::make_unique<walls::TriangleWall>(0, triangles));
+    mesh.push_back(std::make_unique<walls::TriangleWall>(0, walls::Surface{triangles, {}, false}));
     std::vector<Contact> by_plane, by_mesh;
     find_wall_contacts(bodies, plane, materials, limits, by_plane);
     find_wall_contacts(bodies, mesh, materials, limits, by_mesh);

@@ -155,7 +155,7 @@ TEST(Bounce, OffTrianglesIsAsOffThePlaneTheyMake)
                                            {Vector(1, 1, 0), Vector(-1, 1, 0), Vector(1, -1, 0)}};
     Walls plane, mesh;
     plane.push_back(std::make_unique<walls::PlaneWall>(0, 2, 0.0));
-    mesh.push_back(std::make_unique<walls::TriangleWall>(0, triangles));
+    mesh.push_back(std::make_unique<walls::TriangleWall>(0, walls::Surface{triangles, {}, false}));
     const std::vector<WallLaw> laws{{0.9, 0.7}};
     for (const double across : {-0.4, 0.0, 0.3}) {
         const Drift a = drift(sphere(across, 0.1, 0.015), {0.5, -0.2, -2}, 0.01, plane, laws);

@@ -31,10 +31,10 @@ def after_impact(position, velocity, time, normal):
 
 
 class Walls(support.ProgramTest):
-    def fly(self, position, velocity, walls, step, files=()):
+    def fly(self, position, velocity, walls, step, files=(), after=""):
         """(positions, velocities) at END, without gas, gravity and stress."""
         box = boxes.Box(SIZE, (4, 4, 8), DIAMETER, 1000.0, position, velocity, en=EN, et=ET, walls=walls, step=step, end=END,
-                        integrator="fix move all mp_pic stress off\n", gas="model none;")  # fmt: skip
+                        integrator="fix move all mp_pic stress off\n" + after, gas="model none;")  # fmt: skip
         folder = box.write(os.path.join(self.root, f"flight{len(os.listdir(self.root))}"))
         for name, text in files:
             support.write(os.path.join(folder, name), text)
@@ -84,6 +84,32 @@ class Walls(support.ProgramTest):
             place, faster = self.off(found, after_impact(position, velocity, time, side * -normal))
             measured.below(self, f"MP-PIC: bounces off {len(triangles)} tilted triangles: position off the exact flight, radii", place, 1e-9, "", "e_n, e_t of the velocity")
             self.assertLess(faster, 1e-9)
+
+    def test_a_plate_that_moves(self):
+        """Parcels above and below a plate that rises at u: those that it meets leave with e_n times the speed at which they met, on top of u."""
+        u, middle = 0.5, 0.02
+        moved = ("fix sides all mesh/surface file dem/sides.stl type 2\n" + "fix rises all move/mesh mesh sides linear 0 0 {}\n".format(u)
+                 + "fix wall all wall/mp_pic mesh n_meshes 1 meshes sides\n")  # fmt: skip
+        draw = numpy.random.default_rng(6)
+        time = draw.uniform(2e-3, 0.6 * END, 40)
+        velocity = draw.uniform(-0.5, 0.5, (40, 3)) * (0.3, 0.3, 1)
+        above = velocity[:, 2] < u
+        place = numpy.column_stack([numpy.full((40, 2), SIZE[0] / 2) + draw.uniform(-6e-3, 6e-3, (40, 2)), middle + u * time + numpy.where(above, RADIUS, -RADIUS)])
+        start = place - time[:, None] * velocity
+        ahead = velocity - (0, 0, u)
+        after = numpy.column_stack([ET * velocity[:, :2], u - EN * ahead[:, 2]])
+        expected = place + (END - time)[:, None] * after, after
+        for order in (1, -1):  # the mesh moves before the parcels, or after them
+            lines = moved.splitlines(keepends=True)
+            box_walls = "".join(lines if order == 1 else lines[:1] + lines[2:])
+            for step in (1e-4, 5e-4):
+                found = self.fly(start, velocity, box_walls, step, [("dem/sides.stl", stl(square(3, (0.0, 0.0, middle), (0.04, 0, 0), (0, 0.04, 0), 1)))],
+                                 after="" if order == 1 else lines[1])  # fmt: skip
+                place_off, faster = self.off(found, expected)
+                print(f"a plate that moves {'before' if order == 1 else 'after'} the parcels, step {step:g} s: positions off by {place_off:.1e} r, velocities {faster:.1e} m/s")
+                # the plate stands still in the first step, for which LIGGGHTS tells no velocity
+                self.assertLess(faster, 1e-9)
+                self.assertLess(place_off, 1e-9)
 
     def round_the_axis(self, axis, big, inside, seed):
         """Parcels that meet a cylinder once before END; (position, velocity, time of impact, normal to the wall)."""

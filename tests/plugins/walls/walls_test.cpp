@@ -148,7 +148,9 @@ TEST(TriangleWall, IsFlatAcrossInnerEdges)
 {
     // one point, that of a plane, wherever over the floor and its inner edge
     const TriangleWall wall(
-        0, {{Vector(0, 0, 0), Vector(1, 0, 0), Vector(0, 1, 0)}, {Vector(1, 1, 0), Vector(0, 1, 0), Vector(1, 0, 0)}});
+        0, {{{Vector(0, 0, 0), Vector(1, 0, 0), Vector(0, 1, 0)}, {Vector(1, 1, 0), Vector(0, 1, 0), Vector(1, 0, 0)}},
+            {},
+            false});
     Draw draw;
     for (int k = 0; k < 300; ++k) {
         const double x = draw(0.06, 0.94), y = k % 3 ? draw(0.06, 0.94) : 1 - x, side = k % 2 ? 1 : -1;
@@ -161,7 +163,7 @@ TEST(TriangleWall, IsFlatAcrossInnerEdges)
 
 TEST(TriangleWall, HasTwoPointsInAHollowEdgeAndOneOnItsBack)
 {
-    const TriangleWall wall(0, floor_and_wall());
+    const TriangleWall wall(0, {floor_and_wall(), {}, false});
     const auto hollow = near(wall, sphere({0.05, 0, 0.05}, 0.05), 0.01);
     ASSERT_EQ(hollow.size(), 2u);
     EXPECT_NEAR(std::abs(hollow[0].normal.dot(hollow[1].normal)), 0, 1e-13);
@@ -176,7 +178,7 @@ TEST(TriangleWall, HasTwoPointsInAHollowEdgeAndOneOnItsBack)
 
 TEST(TriangleWall, EndsInAnEdgeAndACorner)
 {
-    const TriangleWall wall(0, {{Vector(0, 0, 0), Vector(1, 0, 0), Vector(0, 1, 0)}});
+    const TriangleWall wall(0, {{{Vector(0, 0, 0), Vector(1, 0, 0), Vector(0, 1, 0)}}, {}, false});
     const auto edge = near(wall, sphere({0.5, -0.03, 0.04}, 0.05), 0.01);
     ASSERT_EQ(edge.size(), 1u);
     EXPECT_LT((edge[0].normal - Vector(0, 0.6, -0.8)).norm(), 1e-13);
@@ -198,7 +200,7 @@ TEST(TriangleWall, SeesOfManyTrianglesTheNearest)
         const double size = k % 20 ? 0.05 : 0.5;
         triangles.push_back({at + draw.vector(size), at + draw.vector(size), at + draw.vector(size)});
     }
-    const TriangleWall wall(0, triangles);
+    const TriangleWall wall(0, {triangles, {}, false});
     int touching = 0;
     for (int k = 0; k < 4000; ++k) {
         const Place place = sphere(draw.vector(1.2), 0.05);
@@ -217,7 +219,45 @@ TEST(TriangleWall, SeesOfManyTrianglesTheNearest)
 
 TEST(TriangleWall, OfNoTrianglesIsNone)
 {
-    const TriangleWall wall(0, {});
+    const TriangleWall wall(0, Surface{});
     EXPECT_TRUE(near(wall, sphere({0, 0, 0}, 1), 1).empty());
     EXPECT_FALSE(wall.may_touch(sphere({0, 0, 0}, 1), 1));
+}
+
+TEST(TriangleWall, MovesAsItsCornersDo)
+{
+    // a rigid motion: each point of it has velocity + rotation x place, to round-off of numbers near 10
+    const Vector velocity(1, -2, 0.5), rotation(3, 1, -2);
+    const auto motion = [&](const Vector& place) { return Vector(velocity + rotation.cross(place)); };
+    Surface surface{floor_and_wall(), {}, true};
+    double fastest = 0;
+    for (const Triangle& triangle : surface.triangles) {
+        surface.velocity.push_back({motion(triangle[0]), motion(triangle[1]), motion(triangle[2])});
+        for (const Vector& corner : triangle)
+            fastest = std::max(fastest, motion(corner).norm());
+    }
+    TriangleWall wall(0, surface);
+    EXPECT_NEAR(wall.fastest(), fastest, 10 * round_off);
+    Draw draw;
+    for (int k = 0; k < 100; ++k) {
+        const Place place = sphere({draw(0, 1), draw(-1, 1), draw(0, 1)}, 0.4);
+        for (const WallPoint& point : near(wall, place, 1))
+            EXPECT_LT((point.velocity - motion(touched(point, place))).norm(), 10 * round_off);
+    }
+
+    // 0.1 s later the floor's corner (1, -1, 0) is where it went to, as its neighbours are
+    wall.travel(0.1);
+    const Vector corner = Vector(1, -1, 0) + 0.1 * motion(Vector(1, -1, 0));
+    const auto points = near(wall, sphere(corner + Vector(0, 0, 0.01), 0.01), 0.001);
+    ASSERT_FALSE(points.empty());
+    EXPECT_LT(points[0].gap, 0);
+
+    surface.travels = false;  // a belt: it slides along itself, and stays
+    TriangleWall belt(0, surface);
+    belt.travel(0.1);
+    EXPECT_EQ(belt.fastest(), 0);
+    const Place over = sphere({0.5, 0, 0.1}, 0.1);
+    ASSERT_EQ(near(belt, over, 0.01).size(), 1u);
+    EXPECT_NEAR(near(belt, over, 0.01)[0].gap, 0, round_off);
+    EXPECT_LT((near(belt, over, 0.01)[0].velocity - motion({0.5, 0, 0})).norm(), 10 * round_off);
 }

@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <interphase/contacts/fix_contacts.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 
 using namespace interphase;
 using namespace interphase::contacts;
+
+/// What the fix counts, for the summary of a run and /counters of its results.h5.
+constexpr Counter counters[] = {
+    {"deepest_overlap", "deepest overlap", "R", OverRanks::largest, 0.1,
+     "The deepest overlap so far, of the reduced radius R = r_1 r_2/(r_1 + r_2) of its contact, at a wall of the sphere's.",
+     "Springs may be soft as long as overlaps are some hundredths of a radius.", "a larger kn, and with it a shorter step"}};
 
 /// The fix style `@NAME@/spheres`: spheres that push each other and walls apart while they overlap, by a spring and a dashpot along the
 /// line of their centres, and rub, by a dashpot along their surfaces that Coulomb's friction limits:
@@ -34,10 +42,22 @@ public:
 
     void post_force(int) override
     {
-        each_contact([this](const Contact& contact) { return push(contact); });
+        each_contact([this](const Contact& contact) {
+            count(contact);
+            return push(contact);
+        });
+    }
+
+    /// Tells the coupler what the fix counts: in the order of `counters`, of this rank.
+    void* extract(const char* name, int& dimension) override
+    {
+        if (std::strcmp(name, extract_counters) == 0) return &counted_;
+        return FixContacts::extract(name, dimension);
     }
 
 private:
+    void count(const Contact& contact) { deepest_ = std::max(deepest_, contact.overlap / contact.radius); }
+
     /// The law, from one contact to the force on its sphere.
     Push push(const Contact& contact) const
     {
@@ -60,7 +80,13 @@ private:
     static constexpr double slip_damping = 0.5;  // of sqrt(k m)
 
     BetweenTypes stiffness_, restitution_, friction_;
+
+    double deepest_ = 0;
+    CounterValues counted_{std::size(counters), &deepest_};
 };
 
-// This line makes the library a plug-in. More fix styles: more {"name", creator} pairs.
+// This line makes the library a plug-in. More fix styles: more {"name", creator} pairs. The next ones say what method of the coupling it
+// brings, and what its fixes count.
 INTERPHASE_PLUGIN("@NAME@", {"@NAME@/spheres", &create<Fix@CLASS@>}, {"wall/@NAME@", &create<FixContactsWall>})
+INTERPHASE_METHODS(method("@METHOD@", "springs and dashpots of @NAME@").resolving_contacts())
+INTERPHASE_COUNTERS(counters)

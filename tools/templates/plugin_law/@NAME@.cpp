@@ -32,3 +32,4 @@ struct @CLASS@ {
 };
 
 INTERPHASE_LAW("@NAME@", @CLASS@)
+INTERPHASE_METHODS(interphase::method("@METHOD@", "impulses between hard spheres that yield").steps_per_collision(1))

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <interphase/contacts/fix_contacts_with_memory.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 
 using namespace interphase;
 using namespace interphase::contacts;
@@ -10,6 +12,12 @@ using namespace interphase::contacts;
 struct Spring {
     double stretch[3] = {0, 0, 0};  ///< along the surfaces [m]
 };
+
+/// What the fix counts, for the summary of a run and /counters of its results.h5.
+constexpr Counter counters[] = {
+    {"deepest_overlap", "deepest overlap", "R", OverRanks::largest, 0.1,
+     "The deepest overlap so far, of the reduced radius R = r_1 r_2/(r_1 + r_2) of its contact, at a wall of the sphere's.",
+     "Springs may be soft as long as overlaps are some hundredths of a radius.", "a larger kn, and with it a shorter step"}};
 
 /// The fix style `@NAME@/spheres`: spheres that push each other and walls apart while they overlap, by a spring and a dashpot along the
 /// line of their centres, and hold each other by another spring along their surfaces (Cundall and Strack, Geotechnique 29
@@ -40,10 +48,22 @@ public:
 
     void post_force(int) override
     {
-        each_contact([this](const Contact& contact, Spring& spring) { return push(contact, spring); });
+        each_contact([this](const Contact& contact, Spring& spring) {
+            count(contact);
+            return push(contact, spring);
+        });
+    }
+
+    /// Tells the coupler what the fix counts: in the order of `counters`, of this rank.
+    void* extract(const char* name, int& dimension) override
+    {
+        if (std::strcmp(name, extract_counters) == 0) return &counted_;
+        return FixContacts::extract(name, dimension);
     }
 
 private:
+    void count(const Contact& contact) { deepest_ = std::max(deepest_, contact.overlap / contact.radius); }
+
     /// The law, from one contact and what it remembers to the force on its sphere. It is called once a step, and changes nothing that
     /// it remembers where contact.step is 0.
     Push push(const Contact& contact, Spring& spring) const
@@ -74,7 +94,13 @@ private:
     static constexpr double rolls = 2.0 / 7.0;
 
     BetweenTypes stiffness_, restitution_, friction_;
+
+    double deepest_ = 0;
+    CounterValues counted_{std::size(counters), &deepest_};
 };
 
-// This line makes the library a plug-in. More fix styles: more {"name", creator} pairs.
+// This line makes the library a plug-in. More fix styles: more {"name", creator} pairs. The next ones say what method of the coupling it
+// brings, and what its fixes count.
 INTERPHASE_PLUGIN("@NAME@", {"@NAME@/spheres", &create<Fix@CLASS@>}, {"wall/@NAME@", &create<FixContactsWall>})
+INTERPHASE_METHODS(method("@METHOD@", "springs and dashpots of @NAME@").resolving_contacts())
+INTERPHASE_COUNTERS(counters)

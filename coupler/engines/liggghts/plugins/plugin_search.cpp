@@ -23,22 +23,6 @@ bool ends_with(const std::string& text, const std::string& end)
     return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/// What could have been asked for.
-std::vector<std::string> names_in(const std::vector<std::string>& folders)
-{
-    std::vector<std::string> names;
-    for (const auto& folder : folders) {
-        std::error_code unreadable;
-        for (const auto& entry : fs::directory_iterator(folder, unreadable)) {
-            const std::string file = entry.path().filename();
-            if (file.rfind(prefix, 0) == 0 && ends_with(file, suffix)) names.push_back(file.substr(3, file.size() - 6));
-        }
-    }
-    std::sort(names.begin(), names.end());
-    names.erase(std::unique(names.begin(), names.end()), names.end());
-    return names;
-}
-
 std::string find_by_path(const std::string& wanted, const std::string& asked_by)
 {
     std::error_code unreachable;
@@ -69,6 +53,21 @@ std::vector<std::string> plugin_folders()
     return folders;
 }
 
+std::vector<std::string> plugins_at_hand()
+{
+    std::vector<std::string> names;
+    for (const auto& folder : plugin_folders()) {
+        std::error_code unreadable;
+        for (const auto& entry : fs::directory_iterator(folder, unreadable)) {
+            const std::string file = entry.path().filename();
+            if (file.rfind(prefix, 0) == 0 && ends_with(file, suffix)) names.push_back(file.substr(3, file.size() - 6));
+        }
+    }
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
+}
+
 std::string find_plugin(const std::string& wanted, const std::string& asked_by)
 {
     if (wanted.find('/') != std::string::npos) return find_by_path(wanted, asked_by);
@@ -82,7 +81,7 @@ std::string find_plugin(const std::string& wanted, const std::string& asked_by)
         places += (places.empty() ? "" : ", ") + folder;
     }
 
-    const std::vector<std::string> known = names_in(folders);
+    const std::vector<std::string> known = plugins_at_hand();
     const std::string near = nearest_name(wanted, known);
     std::string remedy = near.empty() ? "" : "did you mean `" + near + "`? ";
     if (ends_with(wanted, suffix)) remedy += "for a file write its path with a slash, such as `./" + wanted + "`; ";

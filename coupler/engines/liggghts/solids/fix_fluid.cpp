@@ -46,6 +46,34 @@ void FixFluid::post_force(int)
         forces_[index(i)].apply(force + 3 * i, velocity + 3 * i, booked + 3 * i);
 }
 
+void FixFluid::setup(int)
+{
+    double nowhere[3] = {0, 0, 0};
+    for (int i = 0; i < atom->nlocal; ++i)
+        forces_[index(i)].apply(atom->f[i], atom->v[i], nowhere);
+}
+
+void FixFluid::hold(double dt)
+{
+    for (int i = 0; i < atom->nlocal; ++i) {
+        const Vector force = to_vector(atom->f[i]);
+        const Vector seen = to_vector(atom->v[i]) - 0.5 * dt / atom->rmass[i] * force;
+        const Vector fluid = forces_[index(i)].part_of(force, seen);
+        forces_[index(i)] = FluidForce{};
+        set(forces_[index(i)].constant, fluid);
+    }
+}
+
+FixFluid::State FixFluid::state() const { return {forces_, booked_, coupling_}; }
+
+void FixFluid::take(const State& state)
+{
+    forces_ = state.forces;
+    booked_ = state.booked;
+    coupling_ = state.coupling;
+    grow_arrays(atom->nmax);
+}
+
 void FixFluid::grow_arrays(int count)
 {
     forces_.resize(index(count));

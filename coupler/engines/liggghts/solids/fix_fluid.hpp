@@ -19,6 +19,7 @@ public:
     ~FixFluid() override;
 
     int setmask() override;
+    void setup(int) override;  ///< the forces again, which are booked already
     void post_force(int) override;
 
     void grow_arrays(int count) override;
@@ -31,6 +32,19 @@ public:
     FluidForce* forces() { return forces_.data(); }
     double* booked() { return booked_.data(); }
     ParticleCoupling* coupling() { return coupling_.data(); }
+
+    /// Makes the force on each particle [N] the one that it felt last, whatever its velocity becomes: that of the middle
+    /// of the step of `dt` [s] was seen (velocity Verlet; where particles move first, nobody asks for it).
+    void hold(double dt);
+
+    /// Of all particles, in their order.
+    struct State {
+        std::vector<FluidForce> forces;
+        std::vector<double> booked;
+        std::vector<ParticleCoupling> coupling;
+    };
+    State state() const;
+    void take(const State& state);
 
 private:
     std::vector<FluidForce> forces_;

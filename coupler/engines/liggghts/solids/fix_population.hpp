@@ -39,6 +39,7 @@ public:
     const std::vector<std::size_t>& arrivals() const { return arrivals_; }
     /// Particles that fixes massflow/mesh saw only after they had come through, of all ranks since watch().
     long seen_late() const { return seen_late_; }
+    void count_seen_late(long number) { seen_late_ += number; }
 
     int setmask() override;
     void post_integrate() override;

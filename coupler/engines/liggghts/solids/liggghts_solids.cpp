@@ -10,7 +10,6 @@
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "domain.h"
-#include "engines/liggghts/plugins/fix_registration.hpp"
 #include "engines/liggghts/script/last_words.hpp"
 #include "engines/liggghts/solids/contact_duration.hpp"
 #include "engines/liggghts/solids/dump_files.hpp"
@@ -39,18 +38,6 @@ namespace interphase {
 
 namespace {
 
-/// Adds a fix of the coupler's own for all particles.
-template <class Own>
-Own* add_fix(LAMMPS_NS::LAMMPS& lmp, const std::string& id)
-{
-    const FixCreator create = [](LAMMPS_NS::LAMMPS* of, int narg, char** arg) -> LAMMPS_NS::Fix* {
-        return new Own(of, narg, arg);
-    };
-    register_fix_style(*lmp.modify, Own::style_name, create);
-    lammps_command(&lmp, ("fix " + id + " all " + Own::style_name).c_str());
-    return dynamic_cast<Own*>(lmp.modify->find_fix_id(id.c_str()));
-}
-
 void set_last_step(LAMMPS_NS::Update& update, LAMMPS_NS::bigint last)
 {
     update.laststep = update.endstep = last;
@@ -60,7 +47,7 @@ void set_last_step(LAMMPS_NS::Update& update, LAMMPS_NS::bigint last)
 }  // namespace
 
 LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& settings, LaterStart later)
-    : comm_(comm), settings_(settings), later_(later), earlier_(later.is_one())
+    : comm_(comm), settings_(settings), later_(later), earlier_(later.is_one()), commands_(settings.commands)
 {
     const EarlierFiles::Watch watching(earlier_);
     std::vector<std::string> words{"liggghts", "-screen", LastWords::log_name, "-log", "none", "-echo", "screen"};
@@ -86,13 +73,16 @@ LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& setting
     lammps_file(lmp_, settings.script.c_str());
 
     refuse_unusable_scene(comm_, *lmp_, settings_, plugins_);
+    commands_.check(*lmp_);
     weights_ = weight_property(*lmp_, settings.script);
     to_come_ = spheres_to_come(*lmp_);
-    if (settings.method != Method::mp_pic && (lmp_->force->pair || !resolves_contacts(settings.method)))
+    if (settings.method.single_collisions && (lmp_->force->pair || settings.method.collisions_of_plugin))
         contact_duration_ = shortest_contact(*lmp_, to_come_);
     rayleigh_time_ = interphase::rayleigh_time(*lmp_);
+    largest_known_radius_ = 0.5 * largest_diameter();
     remarks_ = std::make_unique<SceneRemarks>(comm_, *lmp_, settings_, plugins_);
     const PluginFixes of_plugins(*lmp_, plugins_, settings_.script);
+    counters_ = std::make_unique<PluginCounters>(of_plugins, plugins_, settings_.script);
     step_limit_ = of_plugins.step_limit(comm_);
     solid_stress_ = of_plugins.solid_stress();
     moves_come_first_ = of_plugins.say(extract_moves_before_forces);
@@ -175,8 +165,11 @@ void LiggghtsSolids::start(double solid_step, long steps, bool with_gas)
     std::snprintf(command, sizeof command, "timestep %.17g", solid_step);
     lammps_command(lmp_, command);
 
-    population_ = add_fix<FixPopulation>(*lmp_, "interphase_population");
-    if (with_gas) fluid_ = add_fix<FixFluid>(*lmp_, "interphase");  // the last one: it answers to all other forces
+    if (kept_) {
+        kept_->within("solids", [this] { commands_.keep(*kept_); });
+        repeat_commands();
+    }
+    add_own_fixes(with_gas);
 
     // what `run` does before its loop, so that the loop can be continued at any length without setting up again
     if (kept_)
@@ -245,6 +238,7 @@ void LiggghtsSolids::keep(Archive& archive)
     } else
         take_particle_state(*lmp_, archive);
     population_->begin_anew();
+    commands_.keep(archive);
     archive.keep("remarks", *remarks_);
     archive.keep("warnings", warnings_);
 }

@@ -5,10 +5,12 @@
 #include <optional>
 #include <string>
 
+#include "engines/liggghts/plugins/plugin_counters.hpp"
 #include "engines/liggghts/plugins/plugin_loader.hpp"
 #include "engines/liggghts/script/earlier_files.hpp"
 #include "engines/liggghts/script/last_words.hpp"
 #include "engines/liggghts/script/listening_screen.hpp"
+#include "engines/liggghts/solids/command_queue.hpp"
 #include "engines/liggghts/solids/insertions.hpp"
 #include "engines/liggghts/solids/scene_remarks.hpp"
 #include "run/particle_engine.hpp"
@@ -47,6 +49,7 @@ public:
     double smallest_diameter() const override;
     void go_on_from(Archive& kept, double time) override;
     void start(double solid_step, long steps, bool with_gas) override;
+    std::vector<std::string> begin_gas_step(double time) override;
     void end_after(long steps) override;
     std::optional<Problem> cannot_be_kept() const override;
     std::string memories_lost() const override;
@@ -69,12 +72,17 @@ public:
 
     std::vector<Problem> remarks() override;
     std::vector<Count> counts() const override;
+    std::vector<Count> counters() const override { return counters_->now(comm_); }
     static std::vector<const CountKind*> count_kinds();  ///< what counts() may have
     EngineWarnings* warnings() override;                 ///< flushed
 
 private:
     void refuse_faster_contacts() const;
+    void add_own_fixes(bool with_gas);
     void set_up();
+    void repeat_commands();
+    void carry_out(const std::vector<TimedCommands>& commands);
+    void refuse_other_scene();
 
     Communicator comm_;
     const Settings& settings_;
@@ -88,13 +96,16 @@ private:
     FixPopulation* population_ = nullptr;
     const LAMMPS_NS::Fix* weights_ = nullptr;  ///< the script's, or null: all have that of the settings
     std::vector<LoadedPlugin> plugins_;
+    CommandQueue commands_;
+    std::unique_ptr<PluginCounters> counters_;
     std::optional<double> contact_duration_, rayleigh_time_, step_limit_;
     SolidStress* solid_stress_ = nullptr;  ///< a fix's
     bool moves_come_first_ = false, takes_new_forces_ = false;
     Vector gravity_ = Vector::Zero();
     std::unique_ptr<SceneRemarks> remarks_;
-    Archive* kept_ = nullptr;             ///< that this run is to go on from
-    std::vector<SpheresToCome> to_come_;  ///< at the start
+    Archive* kept_ = nullptr;  ///< that this run is to go on from
+    std::vector<SpheresToCome> to_come_;
+    double largest_known_radius_ = 0;  ///< of those there are and will be, at the start [m]
 };
 
 }  // namespace interphase

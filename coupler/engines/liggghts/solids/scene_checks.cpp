@@ -20,8 +20,8 @@ namespace {
 void refuse_doubtful_collisions(const LAMMPS_NS::LAMMPS& lmp, const Settings& settings,
                                 const std::vector<LoadedPlugin>& plugins)
 {
-    if (resolves_contacts(settings.method)) return;
-    const std::string method = name_of(settings.method);
+    if (!settings.method.collisions_of_plugin) return;
+    const std::string& method = settings.method.name;
     if (!PluginFixes(lmp, plugins, settings.script).any()) {
         std::vector<std::string> styles;
         for (const LoadedPlugin& plugin : plugins)
@@ -30,7 +30,7 @@ void refuse_doubtful_collisions(const LAMMPS_NS::LAMMPS& lmp, const Settings& se
                         settings.script, "add a fix of one of these styles: " + listed(styles));
     }
     const std::string pair = lmp.force->pair ? lmp.force->pair_style : "";
-    if (settings.method != Method::plugin && pair.rfind("gran", 0) == 0)
+    if (!settings.method.bears_pair_style && pair.rfind("gran", 0) == 0)
         throw UserError("the script has pair style " + pair + ", and method " + method +
                             " has collisions of its own: each would count twice",
                         settings.script, "leave the pair style away for this method, or take DEM or CGPM");

@@ -73,7 +73,7 @@ std::vector<Problem> SceneRemarks::of_overlaps()
 {
     constexpr double much = 0.05;  // of a radius; contact models are made for less
     std::vector<Problem> all;
-    for (const Overlaps& found : overlaps(comm_, lmp_, much, settings_.method != Method::mp_pic)) {
+    for (const Overlaps& found : overlaps(comm_, lmp_, much, settings_.method.single_collisions)) {
         overlaps_ += found.number;
         const bool pairs = found.particle[1] > 0;
         const std::string who = pairs ? " pairs of particles overlap" : " particles stand in the wall of " + found.with;

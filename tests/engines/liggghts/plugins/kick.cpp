@@ -2,6 +2,8 @@
 // A fix style whose effect is known to the last bit: every step it adds the given velocity [m/s] to each particle.
 #include <interphase/plugin.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 
@@ -11,8 +13,22 @@
 #ifndef TEST_STYLE_NAME
 #define TEST_STYLE_NAME "test/kick"
 #endif
+#ifndef TEST_COUNTER_KEY
+#define TEST_COUNTER_KEY "kicks"
+#endif
+#ifndef TEST_COUNTERS_TOLD
+#define TEST_COUNTERS_TOLD 2
+#endif
 
 namespace {
+
+#ifdef TEST_METHOD
+using interphase::OverRanks;
+constexpr interphase::Counter counters[] = {
+    {TEST_COUNTER_KEY, "kicks given", "", OverRanks::sum, 0, "A particle was kicked.", "It is a test.", "no test"},
+    {"fastest", "fastest kicked particle", "m/s", OverRanks::largest, 5, "The speed of the fastest.", "It is a test.",
+     "a softer kick"}};
+#endif
 
 class FixKick : public LAMMPS_NS::Fix {
 public:
@@ -27,9 +43,14 @@ public:
 
     void end_of_step() override
     {
-        for (int i = 0; i < atom->nlocal; ++i)
+        for (int i = 0; i < atom->nlocal; ++i) {
+            if (!(atom->mask[i] & groupbit)) continue;
+            double* v = atom->v[i];
             for (int k = 0; k < 3; ++k)
-                if (atom->mask[i] & groupbit) atom->v[i][k] += kick_[k];
+                v[k] += kick_[k];
+            counted_[0] += 1;
+            counted_[1] = std::max(counted_[1], std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
+        }
     }
 
     void* extract([[maybe_unused]] const char* name, int& dimension) override
@@ -38,11 +59,16 @@ public:
 #ifdef TEST_STEP_LIMIT
         if (std::strcmp(name, interphase::extract_solid_step_limit) == 0) return &step_limit_;
 #endif
+#ifdef TEST_METHOD
+        if (std::strcmp(name, interphase::extract_counters) == 0) return &told_;
+#endif
         return nullptr;
     }
 
 private:
     double kick_[3];
+    double counted_[2] = {0, 0};
+    interphase::CounterValues told_{TEST_COUNTERS_TOLD, counted_};
 #ifdef TEST_STEP_LIMIT
     double step_limit_ = TEST_STEP_LIMIT;
 #endif
@@ -51,3 +77,7 @@ private:
 }  // namespace
 
 INTERPHASE_PLUGIN(TEST_PLUGIN_NAME, {TEST_STYLE_NAME, &interphase::create<FixKick>})
+#ifdef TEST_METHOD
+INTERPHASE_METHODS(interphase::method(TEST_METHOD, "kicks").of_particles().steps_per_collision(5))
+INTERPHASE_COUNTERS(counters)
+#endif

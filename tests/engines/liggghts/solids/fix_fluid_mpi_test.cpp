@@ -10,6 +10,7 @@
 #include <fstream>
 #include <set>
 
+#include "engines/liggghts/plugins/own_methods.hpp"
 #include "engines/liggghts/solids/liggghts_solids.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/world.hpp"
@@ -51,7 +52,7 @@ protected:
         if (world().is_master()) write_script();
         world().barrier();
         Settings settings;
-        settings.method = Method::dem;
+        settings.method = own_methods().front();
         settings.script = "dem/in.liggghts";
         solids_ = std::make_unique<LiggghtsSolids>(world(), settings);
         solids_->start(step, substeps, true);

@@ -2,6 +2,7 @@
 //
 // Who left LIGGGHTS, how, and as what: spheres burst out of an open box through its faces, edges and corners, on the
 // way from rank to rank, while others are poured in. Each is told once, on one rank, as it was.
+#include "engines/liggghts/plugins/own_methods.hpp"
 #include "engines/liggghts/solids/fix_population.hpp"
 
 #include <gtest/gtest.h>
@@ -53,7 +54,7 @@ TEST(FixPopulation, TellsEachThatLeavesOnceAsItWas)
     if (world().is_master()) write_script();
     world().barrier();
     Settings settings;
-    settings.method = Method::dem;
+    settings.method = own_methods().front();
     settings.script = "dem/in.liggghts";
     LiggghtsSolids solids(world(), settings);
     EXPECT_EQ(solids.radii_to_come(), (Scalars{0.005, 0.005}));

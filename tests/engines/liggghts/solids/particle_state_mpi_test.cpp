@@ -2,6 +2,7 @@
 //
 // Spheres that pile up in a vessel of walls, with friction, while more are poured in: LIGGGHTS that is started anew and
 // given the state goes on to the last bit as the one that puts back its own, and that one as if nothing had been.
+#include "engines/liggghts/plugins/own_methods.hpp"
 #include "engines/liggghts/solids/particle_state.hpp"
 
 #include <gtest/gtest.h>
@@ -79,7 +80,7 @@ void write_script(const std::string& more = "")
 Settings settings()
 {
     Settings settings;
-    settings.method = Method::dem;
+    settings.method = own_methods().front();
     settings.script = "dem/in.liggghts";
     return settings;
 }

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engines/liggghts/plugins/plugin_counters.hpp"
+
+#include <algorithm>
+
+#include "base/user_error.hpp"
+#include "fix.h"
+#include "plugin/plugin.hpp"
+
+namespace interphase {
+
+namespace {
+
+const LoadedPlugin* plugin_of(const LAMMPS_NS::Fix& fix, const std::vector<LoadedPlugin>& plugins)
+{
+    const auto found = std::find_if(plugins.begin(), plugins.end(), [&fix](const LoadedPlugin& plugin) {
+        return std::find(plugin.styles.begin(), plugin.styles.end(), fix.style) != plugin.styles.end();
+    });
+    return found == plugins.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+CountKind kind_of(const Counter& counter)
+{
+    CountKind kind{counter.key,    counter.text,   Whole::nothing,      counter.meaning, Worry::above,
+                   counter.reason, counter.remedy, counter.worry_above, counter.unit};
+    if (counter.worry_above == never_worry) kind.worry = Worry::never;
+    if (counter.worry_above == 0) kind.worry = Worry::any;
+    return kind;
+}
+
+PluginCounters::PluginCounters(const PluginFixes& fixes, const std::vector<LoadedPlugin>& plugins,
+                               const std::string& script)
+{
+    for (LAMMPS_NS::Fix* fix : fixes.all()) {
+        int dimension = 0;
+        const auto* told = static_cast<const CounterValues*>(fix->extract(extract_counters, dimension));
+        if (!told) continue;
+        const LoadedPlugin& plugin = *plugin_of(*fix, plugins);
+        if (told->count != plugin.counters.size() || !told->values)
+            throw UserError(std::string("fix ") + fix->id + " (" + fix->style + ") counts " +
+                                std::to_string(told->count) + " things, and its plug-in " + plugin.name + " names " +
+                                std::to_string(plugin.counters.size()),
+                            script, "correct the plug-in's INTERPHASE_COUNTERS, or what its extract() gives");
+        for (std::size_t k = 0; k < plugin.counters.size(); ++k) {
+            const Counter& counter = plugin.counters[k];
+            auto known = std::find_if(counters_.begin(), counters_.end(),
+                                      [&](const Of& of) { return std::string(of.kind->key) == counter.key; });
+            if (known == counters_.end()) {
+                kinds_.push_back(kind_of(counter));
+                known = counters_.insert(counters_.end(), {&kinds_.back(), counter.over_ranks, {}});
+            }
+            known->values.push_back(told->values + k);
+        }
+    }
+}
+
+std::vector<Count> PluginCounters::now(const Communicator& comm) const
+{
+    std::vector<Count> all;
+    for (const Of& of : counters_) {
+        const bool adds = of.over_ranks == OverRanks::sum;
+        double value = 0;
+        for (const double* each : of.values)
+            value = adds ? value + *each : std::max(value, *each);
+        all.push_back(Count::measured(*of.kind, adds ? comm.sum(value) : comm.max(value)));
+    }
+    return all;
+}
+
+}  // namespace interphase

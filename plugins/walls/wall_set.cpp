@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "walls/wall_set.hpp"
+
+#include <algorithm>
+
+namespace interphase::walls {
+
+void WallSet::clear()
+{
+    walls_.clear();
+    origins_.clear();
+}
+
+void WallSet::add(const FixWall& fix)
+{
+    for (int n = 0; n < fix.wall_count(); ++n) {
+        walls_.push_back(fix.wall(n));
+        origins_.push_back({&fix, n});
+    }
+}
+
+double WallSet::follow()
+{
+    double off = 0;
+    for (std::size_t k = 0; k < walls_.size(); ++k) {
+        const auto [fix, number] = origins_[k];
+        if (!fix->travels(number)) continue;
+        std::unique_ptr<Wall> now = fix->wall(number);
+        off = std::max(off, now->away_from(*walls_[k]));
+        walls_[k] = std::move(now);
+    }
+    return off;
+}
+
+void WallSet::travel(double time)
+{
+    for (const auto& wall : walls_)
+        wall->travel(time);
+}
+
+bool WallSet::any_travels() const
+{
+    return std::any_of(origins_.begin(), origins_.end(),
+                       [](const Origin& origin) { return origin.fix->travels(origin.number); });
+}
+
+double WallSet::fastest() const
+{
+    double fastest = 0;
+    for (const auto& wall : walls_)
+        fastest = std::max(fastest, wall->fastest());
+    return fastest;
+}
+
+}  // namespace interphase::walls

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "walls/fix_wall.hpp"
+#include "walls/wall.hpp"
+
+namespace interphase::walls {
+
+/// The walls that fixes describe, of which some may travel.
+class WallSet {
+public:
+    /// Forgets all.
+    void clear();
+    /// Adds the fix's walls as they stand now; it has to live on. Collective.
+    void add(const FixWall& fix);
+
+    /// Those that travel, as they stand and move now. Nothing is sent where none does. Returns how far a point of them
+    /// is from where travel() had it [m]. Collective.
+    double follow();
+    /// To where those that travel will be `time` [s] later, as they move now.
+    void travel(double time);
+
+    bool any_travels() const;
+    double fastest() const;  ///< the largest speed of a point of them [m/s]
+
+    const std::vector<std::unique_ptr<Wall>>& all() const { return walls_; }
+
+private:
+    struct Origin {
+        const FixWall* fix;
+        int number;
+    };
+    std::vector<std::unique_ptr<Wall>> walls_;
+    std::vector<Origin> origins_;  ///< of each
+};
+
+}  // namespace interphase::walls
