@@ -16,7 +16,7 @@ set(_interphase_test_environment
     "INTERPHASE_SOURCE=${PROJECT_SOURCE_DIR}"
     "INTERPHASE_BUILD=${PROJECT_BINARY_DIR}")
 # Tests in Python find the package and what other folders of tests share.
-set(_interphase_python_path python tests/program tests/plugins/mp_pic tests/plugins/hard_sphere tests/plugins)
+set(_interphase_python_path python tests/program tests/plugins/mp_pic tests/plugins)
 list(TRANSFORM _interphase_python_path PREPEND "${PROJECT_SOURCE_DIR}/")
 list(JOIN _interphase_python_path ":" _interphase_python_path)
 if(OpenFOAM_PROJECT_DIR)

@@ -11,7 +11,7 @@ import numpy
 
 from interphase import data_file, launch, liggghts_dump
 
-SOURCE = os.environ.get("INTERPHASE_SOURCE") or os.path.realpath(os.path.join(os.path.dirname(__file__), "..", "..", ".."))
+SOURCE = os.environ.get("INTERPHASE_SOURCE") or os.path.realpath(os.path.join(os.path.dirname(__file__), "..", ".."))
 BUILD = os.environ.get("INTERPHASE_BUILD") or os.path.join(SOURCE, "build", "release")
 
 RUNNER = os.path.join(BUILD, "interphase-liggghts")
