@@ -6,7 +6,7 @@
 namespace interphase::hard_sphere {
 
 /// What fix tdhs counts; Counting::values has their numbers in this order.
-enum CounterOf { steps_in_parts, deepest_overlap, counter_number };
+enum CounterOf { steps_in_parts, deepest_overlap, impulses_left_out, counter_number };
 
 constexpr double deep = 0.2;  ///< of a diameter: overlaps that are worth a word
 
@@ -25,6 +25,11 @@ constexpr Counter counters[counter_number] = {
      "were "
      "put there so.",
      "more `passes` of fix tdhs, or a shorter solid step, if the bed sinks"},
+    {"impulses_left_out", "impulses that a sphere could not take along", "", OverRanks::sum, 0,
+     "A sphere with some 200 loaded contacts, less where a law keeps a state of each, changed its rank or was saved: "
+     "LIGGGHTS's message has no room for more, and the impulses of the others start from nothing.",
+     "The contacts of that sphere carry their load again after some steps; until then what rests on it sags.",
+     "sizes less apart, or ranks laid out so that such spheres stay on one"},
 };
 
 }  // namespace interphase::hard_sphere

@@ -27,12 +27,7 @@ namespace interphase::hard_sphere {
 namespace {
 
 constexpr int grow_callback = 0;
-constexpr int most_parts = 100;
-constexpr double touching_share = 0.1;  // of the margin
-constexpr int ahead = 8;                // spheres
-constexpr double usual_reach = 0.3;     // of a diameter: hardly any pair closes a wider gap in a step
-constexpr double most_way_of_walls =
-    0.5;  // of a radius, in a part of a step: where a sphere meets them is that they stand there
+constexpr int ahead = 8;  // spheres
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -83,15 +78,17 @@ namespace {
 /// In a restart file.
 struct StepState {
     StepLimits limits;
-    double reach, parts, shortened, deepest;
+    double reach, parts;
+    std::array<double, counter_number> counted;
 };
 
 }  // namespace
 
 void FixTdhs::write_restart(FILE* file)
 {
-    const StepState state{limits_, reach_, static_cast<double>(parts_), counted_[steps_in_parts],
-                          shared_max(counted_[deepest_overlap])};
+    StepState state{limits_, reach_, static_cast<double>(parts_), counted_};
+    state.counted[deepest_overlap] = shared_max(counted_[deepest_overlap]);
+    MPI_Allreduce(&counted_[impulses_left_out], &state.counted[impulses_left_out], 1, MPI_DOUBLE, MPI_SUM, world);
     if (comm->me != 0) return;
     const int bytes = sizeof state;
     std::fwrite(&bytes, sizeof bytes, 1, file);
@@ -105,8 +102,8 @@ void FixTdhs::restart(char* buffer)
     limits_ = state.limits;
     reach_ = state.reach;
     parts_ = static_cast<int>(state.parts);
-    counted_[steps_in_parts] = state.shortened;
-    counted_[deepest_overlap] = state.deepest;
+    counted_ = state.counted;
+    if (comm->me != 0) counted_[impulses_left_out] = 0;  // the sum of all ranks
 }
 
 int FixTdhs::setmask()
@@ -148,20 +145,6 @@ void FixTdhs::init()
     script::sort_by_default(*lmp, 4 * ghosts_.largest_radius());
 }
 
-/// The smallest sphere that there is or that a fix will insert.
-void FixTdhs::measure_spheres()
-{
-    double smallest = 1e300;
-    for (int i = 0; i < atom->nlocal; ++i)
-        smallest = std::min(smallest, atom->radius[i]);
-    for (int k = 0; k < modify->nfix; ++k)
-        for (int type = 1; type <= atom->ntypes; ++type) {
-            const double least = modify->fix[k]->min_rad(type);
-            if (least > 0) smallest = std::min(smallest, least);
-        }
-    smallest_radius_ = -shared_max(-smallest);
-}
-
 void FixTdhs::setup(int)
 {
     ask_gravity();  // not in init(): the fix may come later in the script, and knows only after its own
@@ -177,28 +160,6 @@ void FixTdhs::setup(int)
         resolve_contacts();
     }
     cost_.switch_to(Part::outside);
-}
-
-void FixTdhs::collect_walls()
-{
-    walls_.clear();
-    for (int k = 0; k < modify->nfix; ++k)
-        if (const auto* fix = dynamic_cast<FixWallTdhs*>(modify->fix[k]); fix && fix->is_heeded_by(style))
-            walls_.add(*fix);
-}
-
-void FixTdhs::follow_walls()
-{
-    if (!walls_.any_travels()) return;
-    walls_.travel(limits_.step);  // through the last part of the step
-    const double off = walls_.follow(), most = most_way_of_walls * smallest_radius_;
-    if (off > most)
-        complain(
-            "a wall is " + std::to_string(off) +
-            " m from where its last velocity would have brought it in a step, more than half the radius of a sphere, " +
-            std::to_string(most) +
-            " m, and may have passed through one. LIGGGHTS tells how fast a mesh moves once it has moved: give a "
-            "shorter step, or let the mesh set out slowly");
 }
 
 void FixTdhs::initial_integrate(int)
@@ -343,43 +304,6 @@ void FixTdhs::gather(int first, int last)
                                 memory_.first(i)};
         set(bodies_.push[at(b)].change, to_vector(&push_[at(3 * i)]));
     }
-}
-
-void FixTdhs::choose_parts()
-{
-    if (sizes_change_) measure_spheres();
-    double fastest2 = 0;
-    const double* v = atom->nlocal > 0 ? atom->v[0] : nullptr;
-    for (int i = 0; i < 3 * atom->nlocal; i += 3)
-        fastest2 = std::max(fastest2, v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2]);
-    const double fastest = std::sqrt(shared_max(fastest2)), of_walls = walls_.fastest();
-    const double diameter = 2 * smallest_radius_, widest = 2 * ghosts_.largest_radius();
-    const double closing = 2 * fastest * update->dt;  // no two spheres close a wider gap in a step
-
-    // Pairs with gaps up to `reach` are looked at; one farther apart has to close that and a diameter to pass unseen.
-    const double bound = diameter + widest;
-    const double way_of_walls = of_walls * update->dt, most_of_walls = most_way_of_walls * smallest_radius_;
-    const double needed = std::max(closing / bound, way_of_walls / most_of_walls);
-    parts_ = std::max(1, static_cast<int>(std::ceil(needed)));
-    if (parts_ > 1 && (!shortens_ || parts_ > most_parts)) {
-        const bool wall = way_of_walls / most_of_walls > closing / bound;
-        const double speed = wall ? of_walls : fastest, most = wall ? most_of_walls : 0.5 * bound;
-        complain(std::string("a ") + (wall ? "wall" : "sphere") + " moves at " + std::to_string(speed) +
-                 " m/s, which is " + std::to_string(speed * update->dt) + " m in a step; from " + std::to_string(most) +
-                 " m on, " + (wall ? "it may pass through a sphere" : "spheres may pass through each other") +
-                 ". Give a step below " + std::to_string(most / speed) + " s" +
-                 (shortens_ ? ", or find out why it is so fast" : ", or `too_fast shorten`"));
-    }
-    if (parts_ > 1) ++counted_[steps_in_parts];
-    limits_.step = update->dt / parts_;
-    limits_.farthest = fastest * limits_.step;
-    limits_.margin = effort_.margin * diameter;
-    limits_.tolerated = tolerated_ * diameter;
-    limits_.relief = relief_;
-    limits_.touching = touching_share * limits_.margin;
-    limits_.resting_speed = resting_speed_ >= 0 ? resting_speed_ : 2 * gravity_ * update->dt;
-    reach_ =
-        std::max({limits_.margin, std::min(closing / parts_, usual_reach * diameter), closing / parts_ - diameter});
 }
 
 bool FixTdhs::has_ghosts() const { return comm->nprocs > 1 || atom->nghost > 0; }

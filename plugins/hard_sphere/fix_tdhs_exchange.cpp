@@ -39,7 +39,10 @@ int FixTdhs::pack_exchange(int i, double* buffer)
     ShiftMessage message;
     set(message.shift, to_vector(&shift_[at(3 * i)]));
     const int told = pack(message, buffer);
-    return told + memory_.pack(i, buffer + told);
+    int left_out = 0;
+    const int remembered = memory_.pack(i, buffer + told, left_out);
+    counted_[impulses_left_out] += left_out;
+    return told + remembered;
 }
 
 int FixTdhs::unpack_exchange(int i, double* buffer)

@@ -31,11 +31,12 @@ void ImpulseMemory::forget()
     numbers_.resize(more_);
 }
 
-int ImpulseMemory::pack(int particle, double* buffer) const
+int ImpulseMemory::pack(int particle, double* buffer, int& left_out) const
 {
     int told = numbers_in<ImpulseCount>, count = 0;
     const int most = room / (numbers_in<ImpulseMessage> + static_cast<int>(more_));
-    for (int k = first(particle); k != 0 && count < most; ++count) {
+    int k = first(particle);
+    for (; k != 0 && count < most; ++count) {
         const Remembered& entry = entries_[static_cast<std::size_t>(k)];
         ImpulseMessage message;
         message.partner = entry.partner;
@@ -46,6 +47,9 @@ int ImpulseMemory::pack(int particle, double* buffer) const
         k = entry.next;
     }
     hard_sphere::pack(ImpulseCount{static_cast<double>(count)}, buffer);
+    left_out = 0;
+    for (; k != 0; k = entries_[static_cast<std::size_t>(k)].next)
+        ++left_out;
     return told;
 }
 

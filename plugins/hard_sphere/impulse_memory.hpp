@@ -64,7 +64,7 @@ public:
     void forget(int particle) { first_[static_cast<std::size_t>(particle)] = 0; }
 
     /// As plain numbers; return how many were written or read.
-    int pack(int particle, double* buffer) const;
+    int pack(int particle, double* buffer, int& left_out) const;  ///< `left_out`: entries for which there is no room
     int unpack(int particle, const double* buffer);
 
 private:

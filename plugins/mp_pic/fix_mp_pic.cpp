@@ -98,7 +98,8 @@ void FixMpPic::setup(int)
     follow_walls();
 }
 
-/// Parcels meet a wall where it will be at the end of the step, as it moves now: LIGGGHTS moves meshes before or after them, as the script has it.
+/// Parcels meet a wall where it will be at the end of the step, as it moves now: LIGGGHTS moves meshes before or after
+/// them, as the script has it.
 void FixMpPic::follow_walls()
 {
     if (!walls_.any_travels()) return;
@@ -111,12 +112,14 @@ void FixMpPic::follow_walls()
     const double way = update->dt * walls_.fastest();
     constexpr double part = 0.5;  // of a radius: the centre of a parcel must not get to its other side
     if (std::max(way, off) <= part * smallest) return;
-    const std::string what = way > off ? "moves by " + text(way) + " m in a step of " + text(update->dt) + " s"
-                                       : "is " + text(off) + " m from where its last velocity would have brought it in a step";
-    error->all(FLERR, ("Fix mp_pic: a wall " + what + ", more than half the radius of the smallest parcel, " +
-                       text(smallest) + " m, and may pass through it. Give a shorter step (solidStep), or a wall that is "
-                       "slower or sets out slowly")
-                          .c_str());
+    const std::string what =
+        way > off ? "moves by " + text(way) + " m in a step of " + text(update->dt) + " s"
+                  : "is " + text(off) + " m from where its last velocity would have brought it in a step";
+    error->all(FLERR,
+               ("Fix mp_pic: a wall " + what + ", more than half the radius of the smallest parcel, " + text(smallest) +
+                " m, and may pass through it. Give a shorter step (solidStep), or a wall that is "
+                "slower or sets out slowly")
+                   .c_str());
 }
 
 double FixMpPic::stress(double solid_fraction) const

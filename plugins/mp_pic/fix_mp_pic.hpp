@@ -79,7 +79,7 @@ private:
 
     std::vector<double> restitution_;              ///< among particles, by type
     std::vector<std::vector<WallLaw>> wall_laws_;  ///< by type of particle and of wall
-    walls::WallSet walls_;  ///< where they will be at the end of the next step
+    walls::WallSet walls_;                         ///< where they will be at the end of the next step
 
     std::vector<StressState> states_;  ///< [atoms]
     bool kicked_whole_ = false;        ///< where the stress acts, by the forces of the gas step

@@ -116,8 +116,7 @@ bool FixWall::travels(int n) const { return primitive_.empty() && mesh(n).mesh()
 
 std::unique_ptr<Wall> FixWall::wall(int n) const
 {
-    if (primitive_.empty())
-        return std::make_unique<TriangleWall>(mesh(n).atomTypeWall() - 1, surface_of(mesh(n)));
+    if (primitive_.empty()) return std::make_unique<TriangleWall>(mesh(n).atomTypeWall() - 1, surface_of(mesh(n)));
     const int axis = primitive_[0] - 'x';
     if (parameters_.size() == 1) return std::make_unique<PlaneWall>(type_, axis, parameters_[0]);
     return std::make_unique<CylinderWall>(type_, axis, parameters_[0], parameters_[1], parameters_[2]);

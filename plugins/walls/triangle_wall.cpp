@@ -86,8 +86,8 @@ double TriangleWall::away_from(const Wall& before) const
     double distance2 = 0;
     for (std::size_t t = 0; other && t < std::min(surface_.triangles.size(), other->surface_.triangles.size()); ++t)
         for (std::size_t corner = 0; corner < 3; ++corner)
-            distance2 = std::max(
-                distance2, (surface_.triangles[t][corner] - other->surface_.triangles[t][corner]).squaredNorm());
+            distance2 = std::max(distance2,
+                                 (surface_.triangles[t][corner] - other->surface_.triangles[t][corner]).squaredNorm());
     return std::sqrt(distance2);
 }
 

@@ -33,8 +33,8 @@ public:
     double* booked() { return booked_.data(); }
     ParticleCoupling* coupling() { return coupling_.data(); }
 
-    /// Makes the force on each particle [N] the one that it felt last, whatever its velocity becomes: that of the middle
-    /// of the step of `dt` [s] was seen (velocity Verlet; where particles move first, nobody asks for it).
+    /// Makes the force on each particle [N] the one that it felt last, whatever its velocity becomes: that of the
+    /// middle of the step of `dt` [s] was seen (velocity Verlet; where particles move first, nobody asks for it).
     void hold(double dt);
 
     /// Of all particles, in their order.
