@@ -68,7 +68,7 @@ def faults(command):
     found += [f"no case {word}" for word in words[1:] if re.match(r"cases/", word) and not os.path.exists(os.path.join(SOURCE, word))]
     after = {word: following for word, following in zip(words, words[1:])}
     for method in after.get("--method", "DEM").split(","):
-        if method not in methods.of_tree() and not re.fullmatch(r"[A-Z]", method):
+        if method not in methods.of_tree() and not re.fullmatch(r"[A-Z]|NAME", method):
             found.append(f"no method {method}")
     if words[0] == "tools/test" and after.get("--filter", "NAME") != "NAME" and not any(re.search(after["--filter"], test) for test in tests()):
         found.append(f"no test {after['--filter']}")
