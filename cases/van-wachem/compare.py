@@ -37,8 +37,9 @@ AT_REST = 0.01  # [m/s]
 HIGHEST = 12.0  # Hz that are kept of spectra
 WIDTH, WALL_FRICTION = 0.09, "0.3"  # of the case as it is [m]
 MARKS = ("TDHS", "CGHS", "CGPM", "DEM")
+COMPUTED = ("cells=(9", "cells=(27", "mapping/", "dragLaw", "system/", "plenum")  # what changes how the bed is computed, and not what it is of
 KEPT = 3.0  # s that are kept of the pressure, as many as were measured
-SHOWN = ("DEM", "TDHS", "CGHS-2", "CGHS-8")  # of the stored runs, in the picture's first two panels
+SHOWN = ("DEM", "TDHS", "TDHS-fine", "CGHS-2", "CGHS-8")  # of the stored runs, in the picture's first two panels
 AS_PACKING = ("W", "depth", "reach", "wall_friction", "method")  # runs alike in these have the packing of the one at rest; of methods, CGPM and DEM that of hard spheres
 PACKINGS = ("run", *AS_PACKING, "diameter_over_depth", "packing", "command", "commit")
 HARD = {"CGPM": "CGHS", "DEM": "TDHS"}
@@ -241,7 +242,7 @@ def draw(rows, packings, path):
     trade.axhline(value, color="black", lw=1)
     for number, row in enumerate(rows):
         packing = fluidized(row, packings)
-        if packing:
+        if packing and not any(word in row["differs"] for word in COMPUTED):
             at = float(row["velocity"]) - packing[1]
             colour = f"C{MARKS.index(row['method'])}"
             trade.errorbar(at, float(row["deviation"]), float(row["error"]), fmt="osD^"[MARKS.index(row["method"])], color=colour, capsize=2, ms=5)
