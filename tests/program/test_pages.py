@@ -25,7 +25,7 @@ class Reader(support.ProgramTest):
         os.mkdir(self.home)
         for room in ("cases", "python", "tools"):
             shutil.copytree(os.path.join(support.SOURCE, room), os.path.join(self.tree, room), ignore=shutil.ignore_patterns("__pycache__"))
-        for page in ("README.md", "coupler/settings/KEYS.md"):
+        for page in ("README.md", "coupler/settings/KEYS.md", "coupler/settings/METHODS.md"):
             os.makedirs(os.path.dirname(os.path.join(self.tree, page)), exist_ok=True)
             shutil.copy(os.path.join(support.SOURCE, page), os.path.join(self.tree, page))
         os.makedirs(os.path.join(self.tree, "build"))

@@ -119,7 +119,7 @@ class WholePath(Bench):
         plugin = os.path.join(self.root, "hard_ball")
         build = self.configured(plugin, f"-Dinterphase_DIR={BUILD}")
         self.succeed("ctest", "--test-dir", build, "--output-on-failure", "--no-tests=error")
-        self.succeed("/usr/bin/python3", os.path.join(plugin, "plot.py"), RUNNER=os.path.join(BUILD, "interphase-liggghts"))
+        self.succeed("/usr/bin/python3", os.path.join(plugin, "test", "plot.py"), RUNNER=os.path.join(BUILD, "interphase-liggghts"))
         self.assertTrue(os.path.isfile(os.path.join(plugin, "law.png")))
 
         out = os.path.join(self.root, "out")

@@ -3,15 +3,13 @@
 """Draws the law into law.png: e_n over the approach, as spheres of two sizes come back from a plane that they are thrown at."""
 
 import os
-import sys
 
 import matplotlib
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
 
-HERE = os.path.dirname(os.path.realpath(__file__))
-sys.path.insert(0, os.path.join(HERE, "test"))
+HERE = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 os.environ.setdefault("RUNNER", "@INTERPHASE_BUILD@/interphase-liggghts")
 os.environ.setdefault("PLUGIN", os.path.join(HERE, "build", "lib@NAME@.so"))
 
