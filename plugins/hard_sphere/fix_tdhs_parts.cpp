@@ -17,8 +17,6 @@ namespace {
 constexpr int most_parts = 100;
 constexpr double touching_share = 0.1;  // of the margin
 constexpr double usual_reach = 0.3;     // of a diameter: hardly any pair closes a wider gap in a step
-constexpr double most_way_of_walls =
-    0.5;  // of a radius, in a part of a step: where a sphere meets them is that they stand there
 
 }  // namespace
 
@@ -48,7 +46,7 @@ void FixTdhs::follow_walls()
 {
     if (!walls_.any_travels()) return;
     walls_.travel(limits_.step);  // through the last part of the step
-    const double off = walls_.follow(), most = most_way_of_walls * smallest_radius_;
+    const double off = walls_.follow(), most = walls::most_way_of_walls * smallest_radius_;
     if (off > most)
         complain(
             "a wall is " + std::to_string(off) +
@@ -71,7 +69,7 @@ void FixTdhs::choose_parts()
 
     // Pairs with gaps up to `reach` are looked at; one farther apart has to close that and a diameter to pass unseen.
     const double bound = diameter + widest;
-    const double way_of_walls = of_walls * update->dt, most_of_walls = most_way_of_walls * smallest_radius_;
+    const double way_of_walls = of_walls * update->dt, most_of_walls = walls::most_way_of_walls * smallest_radius_;
     const double needed = std::max(closing / bound, way_of_walls / most_of_walls);
     parts_ = std::max(1, static_cast<int>(std::ceil(needed)));
     if (parts_ > 1 && (!shortens_ || parts_ > most_parts)) {

@@ -110,8 +110,7 @@ void FixMpPic::follow_walls()
         smallest = std::min(smallest, atom->radius[i]);
     MPI_Allreduce(MPI_IN_PLACE, &smallest, 1, MPI_DOUBLE, MPI_MIN, world);
     const double way = update->dt * walls_.fastest();
-    constexpr double part = 0.5;  // of a radius: the centre of a parcel must not get to its other side
-    if (std::max(way, off) <= part * smallest) return;
+    if (std::max(way, off) <= walls::most_way_of_walls * smallest) return;
     const std::string what =
         way > off ? "moves by " + text(way) + " m in a step of " + text(update->dt) + " s"
                   : "is " + text(off) + " m from where its last velocity would have brought it in a step";

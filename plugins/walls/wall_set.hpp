@@ -9,6 +9,10 @@
 
 namespace interphase::walls {
 
+/// Of a radius, in what a sphere takes as one step: a wall that moves farther, or stands so far from where its last
+/// velocity would have brought it, may have its centre on the other side.
+constexpr double most_way_of_walls = 0.5;
+
 /// The walls that fixes describe, of which some may travel.
 class WallSet {
 public:

@@ -5,7 +5,7 @@ import functools
 import os
 import re
 
-from interphase.input_error import InputError
+from interphase import program_page
 
 PAGE = os.path.join("coupler", "settings", "KEYS.md")
 
@@ -13,12 +13,7 @@ PAGE = os.path.join("coupler", "settings", "KEYS.md")
 @functools.lru_cache(maxsize=None)
 def of_coupling():
     """Their paths in the order of the page, nested by `/`: method, drag/law, ...; InputError where the page cannot be read."""
-    from interphase.tree import REPOSITORY
-    try:
-        with open(os.path.join(REPOSITORY, PAGE), encoding="utf-8") as stream:
-            return paths(stream.read())
-    except OSError as error:
-        raise InputError(f"{PAGE}: cannot be read: {error.strerror}; `interphase -help keys > {PAGE}` writes it") from None
+    return paths(program_page.text(PAGE, "keys"))
 
 
 def paths(page):

@@ -11,10 +11,9 @@ import re
 import subprocess
 from dataclasses import dataclass
 
-from interphase import launch
+from interphase import program_page
 from interphase.foam_file import nearest
 from interphase.input_error import InputError
-from interphase.tree import REPOSITORY
 
 PAGE = os.path.join("coupler", "settings", "METHODS.md")
 ANY_PLUGIN = "any plug-in"
@@ -47,11 +46,7 @@ def rows(page):
 @functools.lru_cache(maxsize=None)
 def of_tree():
     """{name: Method} of LIGGGHTS and of this tree's plug-ins."""
-    try:
-        with open(os.path.join(REPOSITORY, PAGE), encoding="utf-8") as stream:
-            return rows(stream.read())
-    except OSError as error:
-        raise InputError(f"{PAGE}: cannot be read: {error.strerror}; `interphase -help methods > {PAGE}` writes it") from None
+    return rows(program_page.text(PAGE, "methods"))
 
 
 def plugins_of_tree():
@@ -63,6 +58,8 @@ def plugins_of_tree():
 def of_plugins(plugins, folder):
     """{name: Method} of LIGGGHTS and of `plugins` (names and paths, a tuple), paths from `folder` on, as the program tells. InputError, with its words, where one
     cannot be had."""
+    from interphase import launch  # which wants the tree
+
     told = ""
     for program in dict.fromkeys((launch.program("interphase"), os.path.join(launch.build_folder(), "interphase"))):
         if not os.access(program, os.X_OK):

@@ -14,20 +14,14 @@ from contact_scenes import KEPT, PLAIN, PLUGINS
 class Resumed(ResumedRun, support.ProgramTest):
     stop, end = 0.02, 0.04
 
-    def check_plugin(self, plugin, ranks):
-        case = self.bed("PLUGIN")
-        text = support.read(os.path.join(case, "dem/hard_spheres.liggghts"))
-        for of_hard_spheres, ours in (("wall/tdhs", f"wall/{plugin}"), ("fix move   all tdhs", f"fix push all {plugin}/spheres\nfix move all nve/sphere")):
-            self.assertIn(of_hard_spheres, text)
-            text = text.replace(of_hard_spheres, ours)
-        support.write(os.path.join(case, "dem/PLUGIN.liggghts"), text)
-        self.edit(case, "system/couplingDict", r"^plugins .*$", f'plugins ("{os.path.join(PLUGINS, f"lib{plugin}.so")}");')
-        self.compare(*self.copies(case, "PLUGIN", ranks), ranks)
+    def check_contacts(self, plugin, ranks):
+        self.check_plugin(f'"{os.path.join(PLUGINS, f"lib{plugin}.so")}"',
+                          {"wall/tdhs": f"wall/{plugin}", "fix move   all tdhs": f"fix push all {plugin}/spheres\nfix move all nve/sphere"}, ranks)  # fmt: skip
 
     def test_with_memory(self):
         for ranks in (1, 2):
             with self.subTest(ranks=ranks):
-                self.check_plugin(KEPT, ranks)
+                self.check_contacts(KEPT, ranks)
 
     def test_without(self):
-        self.check_plugin(PLAIN, 2)
+        self.check_contacts(PLAIN, 2)

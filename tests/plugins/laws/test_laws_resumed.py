@@ -27,14 +27,7 @@ class Resumed(ResumedRun, support.ProgramTest):
 
     def check_law(self, law, ranks):
         plugin, numbers = LAWS[law]
-        case = self.bed("PLUGIN")
-        text = support.read(os.path.join(case, "dem/hard_spheres.liggghts"))
-        for of_tdhs, ours in (("wall/tdhs", f"wall/tdhs/{law}"), ("fix move   all tdhs", f"{numbers}fix move all tdhs/{law}")):
-            self.assertIn(of_tdhs, text)
-            text = text.replace(of_tdhs, ours)
-        support.write(os.path.join(case, "dem/PLUGIN.liggghts"), text)
-        self.edit(case, "system/couplingDict", r"^plugins .*$", f"plugins ({plugin});")
-        self.compare(*self.copies(case, "PLUGIN", ranks), ranks)
+        self.check_plugin(plugin, {"wall/tdhs": f"wall/tdhs/{law}", "fix move   all tdhs": f"{numbers}fix move all tdhs/{law}"}, ranks)
 
     def test_couples_and_cohesion(self):
         for ranks in (1, 2):

@@ -9,18 +9,6 @@
 
 namespace interphase {
 
-namespace {
-
-const LoadedPlugin* plugin_of(const LAMMPS_NS::Fix& fix, const std::vector<LoadedPlugin>& plugins)
-{
-    const auto found = std::find_if(plugins.begin(), plugins.end(), [&fix](const LoadedPlugin& plugin) {
-        return std::find(plugin.styles.begin(), plugin.styles.end(), fix.style) != plugin.styles.end();
-    });
-    return found == plugins.end() ? nullptr : &*found;
-}
-
-}  // namespace
-
 CountKind kind_of(const Counter& counter)
 {
     CountKind kind{counter.key,    counter.text,   Whole::nothing,      counter.meaning, Worry::above,
@@ -37,7 +25,7 @@ PluginCounters::PluginCounters(const PluginFixes& fixes, const std::vector<Loade
         int dimension = 0;
         const auto* told = static_cast<const CounterValues*>(fix->extract(extract_counters, dimension));
         if (!told) continue;
-        const LoadedPlugin& plugin = *plugin_of(*fix, plugins);
+        const LoadedPlugin& plugin = *plugin_with(fix->style, plugins);
         if (told->count != plugin.counters.size() || !told->values)
             throw UserError(std::string("fix ") + fix->id + " (" + fix->style + ") counts " +
                                 std::to_string(told->count) + " things, and its plug-in " + plugin.name + " names " +

@@ -18,11 +18,8 @@ PluginFixes::PluginFixes(const LAMMPS_NS::LAMMPS& lmp, const std::vector<LoadedP
     : script_(script)
 {
     const LAMMPS_NS::Modify& modify = *lmp.modify;
-    std::copy_if(modify.fix, modify.fix + modify.nfix, std::back_inserter(fixes_), [&](const LAMMPS_NS::Fix* fix) {
-        return std::any_of(plugins.begin(), plugins.end(), [fix](const LoadedPlugin& plugin) {
-            return std::find(plugin.styles.begin(), plugin.styles.end(), fix->style) != plugin.styles.end();
-        });
-    });
+    std::copy_if(modify.fix, modify.fix + modify.nfix, std::back_inserter(fixes_),
+                 [&](const LAMMPS_NS::Fix* fix) { return plugin_with(fix->style, plugins) != nullptr; });
 }
 
 bool PluginFixes::has(const LAMMPS_NS::Fix& fix) const

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engines/liggghts/plugins/plugin_loader.hpp"
 
+#include <algorithm>
+
 #include "base/text.hpp"
 #include "base/user_error.hpp"
 #include "engines/liggghts/plugins/fix_registration.hpp"
@@ -16,6 +18,14 @@ std::string described(const std::vector<LoadedPlugin>& plugins)
     for (const LoadedPlugin& plugin : plugins)
         all += (all.empty() ? "" : ", ") + plugin.name + " (" + plugin.file + ": " + listed(plugin.styles) + ")";
     return all.empty() ? "none" : all;
+}
+
+const LoadedPlugin* plugin_with(const std::string& style, const std::vector<LoadedPlugin>& plugins)
+{
+    const auto found = std::find_if(plugins.begin(), plugins.end(), [&style](const LoadedPlugin& plugin) {
+        return std::find(plugin.styles.begin(), plugin.styles.end(), style) != plugin.styles.end();
+    });
+    return found == plugins.end() ? nullptr : &*found;
 }
 
 std::vector<LoadedPlugin> load_plugins(const Communicator& comm, LAMMPS_NS::LAMMPS& lmp,

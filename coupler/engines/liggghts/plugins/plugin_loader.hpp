@@ -24,6 +24,9 @@ struct LoadedPlugin {
 /// "hard_sphere (/path/libhard_sphere.so: tdhs, wall/tdhs)", or "none".
 std::string described(const std::vector<LoadedPlugin>& plugins);
 
+/// The one that brings this fix style, or null.
+const LoadedPlugin* plugin_with(const std::string& style, const std::vector<LoadedPlugin>& plugins);
+
 /// Loads plug-ins, named as find_plugin() wants them, and makes their fix styles known to this LIGGGHTS. Either all of
 /// them on all ranks, or a UserError: what open_plugins() throws, or a style that LIGGGHTS has. `asked_by` says where
 /// the user asked for them. Collective.

@@ -36,12 +36,9 @@ std::vector<std::string> words_of(const std::string& line)
 
 bool has_variable(const std::string& word) { return word.find('$') != std::string::npos; }
 
-}  // namespace
+std::string place_of(const TimedCommands& commands) { return std::string(place_of_commands) + "." + commands.name; }
 
-std::string place_of(const TimedCommands& commands)
-{
-    return "system/couplingDict.particles.commands." + commands.name;
-}
+}  // namespace
 
 void CommandQueue::check(const LAMMPS_NS::LAMMPS& lmp) const
 {

@@ -34,6 +34,6 @@ private:
 };
 
 /// Where a user finds them.
-std::string place_of(const TimedCommands& commands);
+constexpr const char* place_of_commands = "system/couplingDict.particles.commands";
 
 }  // namespace interphase

@@ -114,10 +114,7 @@ const Style* known(const char* name)
 /// Those of plug-ins write what they have to (plugins/README.md), and so do the coupler's own.
 bool keeps_itself_else(const char* name, const std::vector<LoadedPlugin>& plugins)
 {
-    if (std::strncmp(name, "interphase/", std::strlen("interphase/")) == 0) return true;
-    return std::any_of(plugins.begin(), plugins.end(), [name](const LoadedPlugin& plugin) {
-        return std::find(plugin.styles.begin(), plugin.styles.end(), name) != plugin.styles.end();
-    });
+    return std::strncmp(name, "interphase/", std::strlen("interphase/")) == 0 || plugin_with(name, plugins) != nullptr;
 }
 
 }  // namespace

@@ -25,6 +25,8 @@ namespace interphase {
 
 namespace {
 
+constexpr const char *population_id = "interphase_population", *fluid_id = "interphase";
+
 /// Adds a fix of the coupler's own for all particles.
 template <class Own>
 Own* add_fix(LAMMPS_NS::LAMMPS& lmp, const std::string& id)
@@ -41,8 +43,8 @@ Own* add_fix(LAMMPS_NS::LAMMPS& lmp, const std::string& id)
 
 void LiggghtsSolids::add_own_fixes(bool with_gas)
 {
-    population_ = add_fix<FixPopulation>(*lmp_, "interphase_population");
-    if (with_gas) fluid_ = add_fix<FixFluid>(*lmp_, "interphase");  // the last one: it answers to all other forces
+    population_ = add_fix<FixPopulation>(*lmp_, population_id);
+    if (with_gas) fluid_ = add_fix<FixFluid>(*lmp_, fluid_id);  // the last one: it answers to all other forces
 }
 
 void LiggghtsSolids::carry_out(const std::vector<TimedCommands>& commands)
@@ -73,8 +75,8 @@ std::vector<std::string> LiggghtsSolids::begin_gas_step(double time)
     const bool with_gas = fluid_ != nullptr;
     if (with_gas) fluid_->hold(lmp_->update->dt);
     const FixFluid::State fluid = with_gas ? fluid_->state() : FixFluid::State{};
-    if (with_gas) lmp_->modify->delete_fix("interphase");
-    lmp_->modify->delete_fix("interphase_population");
+    if (with_gas) lmp_->modify->delete_fix(fluid_id);
+    lmp_->modify->delete_fix(population_id);
     lmp_->update->whichflag = 0;  // as between two runs of a script
     carry_out(due);
     add_own_fixes(with_gas);
@@ -101,7 +103,7 @@ std::vector<std::string> LiggghtsSolids::begin_gas_step(double time)
 
 void LiggghtsSolids::refuse_other_scene()
 {
-    const std::string where = "system/couplingDict.particles.commands";
+    const std::string where = place_of_commands;
     refuse_unusable_scene(comm_, *lmp_, settings_, plugins_);
     const PluginFixes of_plugins(*lmp_, plugins_, settings_.script);
     if (weight_property(*lmp_, settings_.script) != weights_ || of_plugins.solid_stress() != solid_stress_ ||
