@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How fast the bed turns with the stirrer, and how it mixes: the numbers of README.md, of runs of this case.
+"""How fast the bed turns with the stirrer, what that takes, and how it mixes: the numbers of README.md, of runs of this case.
 
     cases/stirred-bed/turning runs/a runs/b ... [--from T]
 
   angular velocity   sum(r x v)/sum(r^2) about the vessel's axis, of the spheres within the blades' radius and between their lower and upper edge;
                      the mean over snapshots from T s on (default 0.2) with its standard error
+  torque             of the blades on the particles about the vessel's axis (dem/blades.liggghts writes that on the blades, torque.txt); the mean from T s on
   mixing             of spheres that stand left and right of the middle plane at T: what is left after a further 0.5 s of the difference between their mean places
                      across, over that at T
 """
@@ -19,6 +20,7 @@ from interphase import InputError, Run, parameters, tables
 from interphase.time_statistics import mean_with_error
 
 MIXED_AFTER = 0.5  # s
+TORQUE = "torque.txt"  # of dem/blades.liggghts: solid step, N m
 
 
 def turning(snapshot, p):
@@ -27,6 +29,19 @@ def turning(snapshot, p):
     v, height = snapshot.velocities, snapshot.positions[:, 2] - p["bladeClearance"]
     swept = ((r**2).sum(axis=1) < p["bladeRadius"] ** 2) & (height > 0) & (height < p["bladeHeight"])
     return (r[:, 0] * v[:, 1] - r[:, 1] * v[:, 0])[swept].sum() / (r[swept] ** 2).sum()
+
+
+def torque(run, start):
+    """N m, its mean from `start` s on with an error; None where the run has no record of it."""
+    path = os.path.join(run.path, TORQUE)
+    if not os.path.exists(path):
+        return None
+    steps, on_blades = numpy.loadtxt(path, comments="#", ndmin=2).T
+    return mean_with_error(-on_blades[steps * float(run.meta["solid_step"]) > start])
+
+
+def shown(mean, scale=1):
+    return f"{scale * mean.value:.2f} +- {scale * mean.error:.2f}" + ("?" if mean.reason else "") if mean else "-"
 
 
 def unmixed(first, then, width):
@@ -47,7 +62,7 @@ def row(folder, start):
     mean = mean_with_error(numpy.array([turning(each, p) for each in snapshots]))
     later = [each for each in snapshots if each.time >= start + MIXED_AFTER - 1e-9]
     mixing = f"{unmixed(snapshots[0], later[0], p['width']):.2f}" if later else "-"
-    return [run.meta["method"], f"{run.meta['weight']:g}", f"{mean.value:.2f} +- {mean.error:.2f}" + ("?" if mean.reason else ""), mixing,
+    return [run.meta["method"], f"{run.meta['weight']:g}", shown(mean), shown(torque(run, start), 1000), mixing,
             f"{run.meta['wall_time']:.0f}", os.path.basename(os.path.normpath(folder))]  # fmt: skip
 
 
@@ -56,8 +71,8 @@ def main():
     parser.add_argument("runs", metavar="RUN", nargs="+", help="folders of runs of this case")
     parser.add_argument("--from", metavar="T", dest="start", type=float, default=0.2, help="s (default 0.2)")
     given = parser.parse_args()
-    rows = [["method", "W", "angular velocity [rad/s]", "mixing", "wall [s]", "run"], *(row(each, given.start) for each in given.runs)]
-    print("\n".join(tables.columns(rows, right=range(1, 5))))
+    rows = [["method", "W", "angular velocity [rad/s]", "torque [mN m]", "mixing", "wall [s]", "run"], *(row(each, given.start) for each in given.runs)]
+    print("\n".join(tables.columns(rows, right=range(1, 6))))
 
 
 if __name__ == "__main__":

@@ -139,4 +139,10 @@ void FixContacts::push(int i, Partner partner, const Push& push)
     }
 }
 
+void FixContacts::tell_wall(int i, std::size_t wall, int element, const Push& push) const
+{
+    if (in_setup_) return;  // of no step
+    walls_.push(wall, element, to_vector(atom->x[i]) - arm_ * contact_.normal, -update->dt * push.force);
+}
+
 }  // namespace interphase::contacts

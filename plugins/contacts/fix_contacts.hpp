@@ -81,7 +81,9 @@ protected:
                 find_wall_points(i, wall);
                 for (const walls::WallPoint& point : points_) {
                     touch_wall(i, point, wall.type());
-                    push(i, keys_[w], visitor(i, keys_[w], contact_));
+                    const Push given = visitor(i, keys_[w], contact_);
+                    push(i, keys_[w], given);
+                    tell_wall(i, w, point.element, given);
                 }
             }
         }
@@ -99,6 +101,8 @@ private:
     void find_wall_points(int i, const walls::Wall& wall);
     void touch_wall(int i, const walls::WallPoint& point, int type);
     void push(int i, Partner partner, const Push& push);
+    /// What sphere i, which was given `push`, does to the wall.
+    void tell_wall(int i, std::size_t wall, int element, const Push& push) const;
 
     void collect_walls();
 

@@ -65,7 +65,7 @@ void FixContacts::collect_walls()
     keys_.clear();
     for (int k = 0; k < modify->nfix; ++k) {
         if (modify->fix[k]->style != wall_style_) continue;
-        const auto* fix = dynamic_cast<FixContactsWall*>(modify->fix[k]);
+        auto* fix = dynamic_cast<FixContactsWall*>(modify->fix[k]);
         if (!fix) continue;
         const std::size_t before = walls_.all().size();
         walls_.add(*fix);

@@ -7,7 +7,7 @@ namespace interphase::hard_sphere {
 
 /// Two bodies near enough to each other for a law's attraction.
 struct Attraction {
-    int i, j;       ///< as the particle engine counts them; j below 0: a wall
+    int i, j;       ///< as the particle engine counts them; j below 0: wall_key of a wall
     int materials;  ///< which pair of types, Materials::between
     double gap;     ///< between the surfaces, below 0: overlap [m]
     double radius;  ///< effective, r_i at a wall [m]

@@ -80,6 +80,7 @@ void ContactSolver::start(Bodies& bodies, const PairSearch& pairs, std::vector<C
     shift_.assign(n, Vector::Zero());
 
     binary_states_.clear();
+    binary_pushes_.clear();
     recall(bodies, walls, law, memory);
     law.respond(bodies, walls.data(), walls.data() + walls.size(), step_);
     for (const Contact& contact : walls) {
@@ -221,6 +222,7 @@ void ContactSolver::resolve_binary(Bodies& bodies, const Contact& contact)
     ++binary_;
     if (walls_.state_count > 0 && !contact.impact)
         binary_states_.push_back({keeper(bodies, contact.i, contact.j, contact.key), contact.state});
+    if (contact.key < 0) binary_pushes_.push_back({contact.i, contact.key, arm_i * contact.normal, impulse});
     apply_impulse(a, b, contact.normal, impulse);
     if (response.rolling_arm > 0) resist_rolling(a, b, contact.normal, impulse, response, contact.impact);
     if (contact.impact && contact.touch_time > 0) {

@@ -48,6 +48,15 @@ public:
     /// only an impact has changed move as they came until the moment of touching, as in a binary collision.
     void finish(const Bodies& bodies, const std::vector<int>& particle, ImpulseMemory& memory);
 
+    /// A body's push on a wall in this step.
+    struct WallPush {
+        int body, key;   ///< Contact::key
+        Vector point;    ///< of contact, from the body's centre [m]
+        Vector impulse;  ///< on the wall [kg m/s]
+    };
+    /// All of them, once the passes are over.
+    std::vector<WallPush> wall_pushes() const;
+
     /// What moves a sphere in this step besides its velocity [m, bodies].
     const std::vector<Vector>& shift() const { return shift_; }
     void add_shift(std::size_t body, const Vector& shift) { shift_[body] += shift; }
@@ -104,6 +113,7 @@ private:
         Keeper keeper;
         std::array<double, most_states> state;
     };
+    std::vector<WallPush> binary_pushes_;     ///< on walls
     std::vector<BinaryState> binary_states_;  ///< of those that last
     std::vector<Impact> impacts_;
 };

@@ -79,14 +79,40 @@ void ContactSolver::finish(const Cluster& cluster, const std::vector<int>& parti
     }
 }
 
+namespace {
+
+/// On j.
+Vector impulse_of(const ContactBatch& batch, int lane)
+{
+    Vector impulse;
+    for (int axis = 0; axis < 3; ++axis)
+        impulse[axis] = batch.impulse[lane] * batch.normal[axis][lane] + batch.tangential[axis][lane];
+    return impulse;
+}
+
+}  // namespace
+
+std::vector<ContactSolver::WallPush> ContactSolver::wall_pushes() const
+{
+    std::vector<WallPush> pushes = binary_pushes_;
+    for (std::size_t k = 0; k < walls_.places.count(); ++k) {
+        const ContactBatch& batch = walls_.batches[k];
+        for (int lane = 0; lane < lanes; ++lane) {
+            if (batch.impulse[lane] <= 0) continue;
+            const Vector normal(batch.normal[0][lane], batch.normal[1][lane], batch.normal[2][lane]);
+            pushes.push_back({batch.i[lane], walls_.notes[k].partner[lane],
+                              static_cast<double>(batch.arm_i[lane]) * normal, impulse_of(batch, lane)});
+        }
+    }
+    return pushes;
+}
+
 void ContactSolver::delay_impacts(const Bodies& bodies)
 {
     for (const Impact& impact : impacts_) {
         const ContactBatch& batch = *impact.batch;
         const int lane = impact.lane;
-        Vector impulse;  // on j
-        for (int axis = 0; axis < 3; ++axis)
-            impulse[axis] = batch.impulse[lane] * batch.normal[axis][lane] + batch.tangential[axis][lane];
+        const Vector impulse = impulse_of(batch, lane);
         const std::size_t i = at(batch.i[lane]), j = at(batch.j[lane]);
         if (pushes_[i] == 1) shift_[i] += impact.touch_time * bodies.body[i].inverse_mass * impulse;
         if (pushes_[j] == 1) shift_[j] -= impact.touch_time * bodies.body[j].inverse_mass * impulse;

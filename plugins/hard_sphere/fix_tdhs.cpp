@@ -150,9 +150,6 @@ void FixTdhs::setup(int)
     ask_gravity();  // not in init(): the fix may come later in the script, and knows only after its own
     choose_effort();
     collect_walls();
-    for (const auto& wall : walls_.all())
-        if (wall->type() < 0 || wall->type() >= atom->ntypes)
-            complain("a wall has a type that the simulation box does not know");
     if (!started_) {  // what meets in the very first step
         started_ = true;
         std::fill(push_.begin(), push_.end(), 0.0);
@@ -234,6 +231,7 @@ void FixTdhs::resolve_contacts()
     }
     if (has_ghosts()) join_masses();
     solver_.finish(bodies_, grid_.order(), memory_);
+    tell_walls();
     counted_[deepest_overlap] = std::max(counted_[deepest_overlap],
                                          solver_.separate(bodies_, share_, limits_.tolerated) / (2 * smallest_radius_));
     cost_.switch_to(Part::integration);

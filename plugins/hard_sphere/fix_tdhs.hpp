@@ -82,6 +82,7 @@ private:
     void measure_spheres();
     void collect_walls();
     void follow_walls();
+    void tell_walls();  ///< what spheres did to them, if they sum it up
     void ask_gravity();
     void check_law();
     void add_forces();

@@ -5,6 +5,7 @@
 #include "comm.h"
 #include "hard_sphere/fix_tdhs.hpp"
 #include "hard_sphere/impact.hpp"
+#include "hard_sphere/wall_contacts.hpp"
 #include "update.h"
 
 namespace interphase::hard_sphere {
@@ -35,7 +36,11 @@ void FixTdhs::attract()
         const Vector impulse = update->dt * pair.force * pair.normal;
         double* of_i = &pulls_[at(3 * pair.i)];
         set(of_i, to_vector(of_i) + impulse);
-        if (pair.j < 0) continue;
+        if (pair.j < 0) {
+            const auto [wall, element] = element_of(pair.j, walls_.all().size());
+            walls_.push(wall, element, to_vector(atom->x[pair.i]) + atom->radius[pair.i] * pair.normal, -impulse);
+            continue;
+        }
         double* of_j = &pulls_[at(3 * pair.j)];
         set(of_j, to_vector(of_j) - impulse);
     }
@@ -76,19 +81,22 @@ void FixTdhs::find_attractions()
 void FixTdhs::find_attractions_of_walls()
 {
     std::vector<walls::WallPoint> points;
-    for (const auto& wall : walls_.all())
+    for (std::size_t w = 0; w < walls_.all().size(); ++w) {
+        const walls::Wall& wall = *walls_.all()[w];
         for (int i = 0; i < atom->nlocal; ++i) {
             if (!(atom->mask[i] & groupbit)) continue;
             Place place;
             set(place.centre, to_vector(atom->x[i]));
             place.radius = atom->radius[i];
-            if (!wall->may_touch(place, range_)) continue;
+            if (!wall.may_touch(place, range_)) continue;
             points.clear();
-            wall->near(place, range_, points);
+            wall.near(place, range_, points);
             for (const walls::WallPoint& point : points)
-                attractions_.push_back({i, -1, law_->materials.between(atom->type[i] - 1, wall->type()), point.gap,
+                attractions_.push_back({i, wall_key(w, point.element, walls_.all().size()),
+                                        law_->materials.between(atom->type[i] - 1, wall.type()), point.gap,
                                         place.radius, point.normal, 0});
         }
+    }
 }
 
 }  // namespace interphase::hard_sphere

@@ -6,7 +6,6 @@
 
 #include "atom.h"
 #include "hard_sphere/fix_tdhs.hpp"
-#include "hard_sphere/fix_wall_tdhs.hpp"
 #include "modify.h"
 #include "update.h"
 
@@ -32,28 +31,6 @@ void FixTdhs::measure_spheres()
             if (least > 0) smallest = std::min(smallest, least);
         }
     smallest_radius_ = -shared_max(-smallest);
-}
-
-void FixTdhs::collect_walls()
-{
-    walls_.clear();
-    for (int k = 0; k < modify->nfix; ++k)
-        if (const auto* fix = dynamic_cast<FixWallTdhs*>(modify->fix[k]); fix && fix->is_heeded_by(style))
-            walls_.add(*fix);
-}
-
-void FixTdhs::follow_walls()
-{
-    if (!walls_.any_travels()) return;
-    walls_.travel(limits_.step);  // through the last part of the step
-    const double off = walls_.follow(), most = walls::most_way_of_walls * smallest_radius_;
-    if (off > most)
-        complain(
-            "a wall is " + std::to_string(off) +
-            " m from where its last velocity would have brought it in a step, more than half the radius of a sphere, " +
-            std::to_string(most) +
-            " m, and may have passed through one. LIGGGHTS tells how fast a mesh moves once it has moved: give a "
-            "shorter step, or let the mesh set out slowly");
 }
 
 void FixTdhs::choose_parts()

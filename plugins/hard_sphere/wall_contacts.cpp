@@ -92,7 +92,7 @@ void find_wall_contacts(Bodies& bodies, const std::vector<std::unique_ptr<walls:
                                 0,
                                 0,
                                 materials.between(bodies.label[i].type, wall.type()),
-                                -1 - static_cast<int>(w) - static_cast<int>(walls.size()) * point.element};
+                                wall_key(w, point.element, walls.size())};
                 if (!point.velocity.isZero()) {
                     contact.j = static_cast<int>(bodies.body.size());
                     bodies.body.emplace_back();

@@ -91,7 +91,7 @@ void FixMpPic::setup(int)
 {
     walls_.clear();
     for (int k = 0; k < modify->nfix; ++k)
-        if (const auto* fix = dynamic_cast<FixWallMpPic*>(modify->fix[k])) walls_.add(*fix);
+        if (auto* fix = dynamic_cast<FixWallMpPic*>(modify->fix[k])) walls_.add(*fix);
     for (const auto& wall : walls_.all())
         if (wall->type() < 0 || wall->type() >= atom->ntypes)
             error->all(FLERR, "Fix mp_pic: a wall has a type that the simulation box does not know");
@@ -218,13 +218,15 @@ void FixMpPic::move(int i)
     set(place.centre, to_vector(atom->x[i]));
     place.radius = atom->radius[i];
     const Drift moved = drift(place, velocity, update->dt, walls_.all(), wall_laws_[at(atom->type[i] - 1)]);
-    if (moved.bounces > 0 || moved.pushed > 0) {
+    if (!moved.bounces.empty() || moved.pushed > 0) {
         const Vector given = atom->rmass[i] * (moved.velocity - velocity);
         for (int axis = 0; axis < 3; ++axis)
             sums_[at(by_walls + axis)] += given[axis];
-        sums_[bounces] += moved.bounces;
+        sums_[bounces] += static_cast<double>(moved.bounces.size());
         sums_[pushed] += moved.pushed;
     }
+    for (const Bounce& bounce : moved.bounces)
+        walls_.push(bounce.wall, bounce.element, bounce.point, -atom->rmass[i] * bounce.velocity_change);
     set(atom->x[i], moved.position);
     set(atom->v[i], moved.velocity);
 }

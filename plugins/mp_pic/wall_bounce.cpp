@@ -13,15 +13,15 @@ constexpr double part_of_radius = 0.5;
 /// Only what moves 50,000 radii in a step comes to it; the coupler's step checks speak up long before.
 constexpr double most_parts = 1e5;
 
-/// Takes a sphere that has got into a wall out of it.
-void leave_wall(Drift& state, const walls::WallPoint& point, const WallLaw& law, double part)
+/// Takes a sphere that has got into a wall out of it. Returns whether it bounced.
+bool leave_wall(Drift& state, const walls::WallPoint& point, const WallLaw& law, double part)
 {
     const double depth = -point.gap;
     const double approach = (state.velocity - point.velocity).dot(point.normal);
     if (approach <= 0) {
         state.position -= depth * point.normal;
         ++state.pushed;
-        return;
+        return false;
     }
     // it met the wall `late` ago, and has since then to move as the wall sent it
     const double late = std::min(depth / approach, part);
@@ -31,7 +31,7 @@ void leave_wall(Drift& state, const walls::WallPoint& point, const WallLaw& law,
     const double left_inside = depth - late * approach;  // of one that started there
     state.position -= left_inside * point.normal;
     state.velocity = after;
-    ++state.bounces;
+    return true;
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ Vector bounced(const Vector& velocity, const Vector& normal, double normal_resti
 Drift drift(const walls::Place& start, const Vector& velocity, double dt,
             const std::vector<std::unique_ptr<walls::Wall>>& walls, const std::vector<WallLaw>& laws)
 {
-    Drift state{to_vector(start.centre), velocity};
+    Drift state{to_vector(start.centre), velocity, {}, 0};
     const double way = dt * velocity.norm();
     const bool near =
         std::any_of(walls.begin(), walls.end(), [&](const auto& wall) { return wall->may_touch(start, way); });
@@ -59,12 +59,16 @@ Drift drift(const walls::Place& start, const Vector& velocity, double dt,
     walls::Place place = start;
     for (int n = 0; n < parts; ++n) {
         state.position += dt / parts * state.velocity;
-        for (const auto& wall : walls) {
+        for (std::size_t w = 0; w < walls.size(); ++w) {
             set(place.centre, state.position);
             points.clear();
-            wall->near(place, 0.0, points);
-            for (const walls::WallPoint& point : points)
-                leave_wall(state, point, laws[static_cast<std::size_t>(wall->type())], dt / parts);
+            walls[w]->near(place, 0.0, points);
+            for (const walls::WallPoint& point : points) {
+                const Vector before = state.velocity;
+                const Vector at = state.position + (start.radius + point.gap) * point.normal;
+                if (leave_wall(state, point, laws[static_cast<std::size_t>(walls[w]->type())], dt / parts))
+                    state.bounces.push_back({w, point.element, at, state.velocity - before});
+            }
         }
     }
     return state;

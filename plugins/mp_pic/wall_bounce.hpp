@@ -18,10 +18,18 @@ struct WallLaw {
     double tangential_restitution = 1;
 };
 
+/// What a wall gave a particle.
+struct Bounce {
+    std::size_t wall;
+    int element;             ///< of the wall, WallPoint::element
+    Vector point;            ///< where [m]
+    Vector velocity_change;  ///< of the particle [m/s]
+};
+
 struct Drift {
     Vector position;
     Vector velocity;
-    int bounces = 0;
+    std::vector<Bounce> bounces;
     int pushed = 0;  ///< times that it was put back out of a wall that it did not approach
 };
 

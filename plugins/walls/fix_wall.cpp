@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "walls/fix_wall.hpp"
 
-#include <mpi.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -12,6 +10,8 @@
 #include "fix_mesh_surface.h"
 #include "modify.h"
 #include "tri_mesh.h"
+#include "update.h"
+#include "walls/of_all_ranks.hpp"
 
 namespace interphase::walls {
 
@@ -27,20 +27,6 @@ struct MeshTriangle {
     double corner[3][3] = {};    ///< [m]
     double velocity[3][3] = {};  ///< of the corners [m/s]
 };
-
-std::vector<MeshTriangle> of_all_ranks(const std::vector<MeshTriangle>& mine, MPI_Comm world)
-{
-    constexpr int numbers = sizeof(MeshTriangle) / sizeof(double);
-    int count = numbers * static_cast<int>(mine.size()), ranks = 1;
-    MPI_Comm_size(world, &ranks);
-    std::vector<int> counts(static_cast<std::size_t>(ranks)), starts(static_cast<std::size_t>(ranks) + 1, 0);
-    MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
-    for (std::size_t r = 0; r < counts.size(); ++r)
-        starts[r + 1] = starts[r] + counts[r];
-    std::vector<MeshTriangle> all(static_cast<std::size_t>(starts.back() / numbers));
-    MPI_Allgatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE, world);
-    return all;
-}
 
 }  // namespace
 
@@ -101,7 +87,12 @@ void FixWall::read_meshes(int narg, char** arg)
         if (!dynamic_cast<LAMMPS_NS::FixMeshSurface*>(modify->find_fix_id(arg[k])))
             complain("there is no fix mesh/surface '" + std::string(arg[k]) + "' before it in the script");
         meshes_.push_back(arg[k]);
+        if (asks_for_wear(mesh(k - 7)))
+            complain("mesh '" + meshes_.back() +
+                     "' asks for wear, which only wall/gran gives; take `wear` away, forces stay");
     }
+    loads_.resize(meshes_.size());
+    ids_.resize(meshes_.size());
 }
 
 LAMMPS_NS::FixMeshSurface& FixWall::mesh(int n) const
@@ -112,11 +103,34 @@ LAMMPS_NS::FixMeshSurface& FixWall::mesh(int n) const
     return *fix;
 }
 
+int FixWall::setmask() { return sums_any_forces() ? LAMMPS_NS::FixConst::POST_FORCE : 0; }
+
+void FixWall::post_force(int)
+{
+    for (int n = 0; n < wall_count(); ++n)
+        if (sums_forces(n))
+            loads_[static_cast<std::size_t>(n)].give_to(mesh(n), ids_[static_cast<std::size_t>(n)], world);
+}
+
+bool FixWall::sums_forces(int n) const { return primitive_.empty() && walls::sums_forces(mesh(n)); }
+
+bool FixWall::sums_any_forces() const
+{
+    for (int n = 0; n < wall_count(); ++n)
+        if (sums_forces(n)) return true;
+    return false;
+}
+
+void FixWall::push(int n, int element, const Vector& point, const Vector& impulse)
+{
+    loads_[static_cast<std::size_t>(n)].push(element, point, impulse / update->dt);
+}
+
 bool FixWall::travels(int n) const { return primitive_.empty() && mesh(n).mesh()->isMoving(); }
 
-std::unique_ptr<Wall> FixWall::wall(int n) const
+std::unique_ptr<Wall> FixWall::wall(int n)
 {
-    if (primitive_.empty()) return std::make_unique<TriangleWall>(mesh(n).atomTypeWall() - 1, surface_of(mesh(n)));
+    if (primitive_.empty()) return std::make_unique<TriangleWall>(mesh(n).atomTypeWall() - 1, surface_of(n));
     const int axis = primitive_[0] - 'x';
     if (parameters_.size() == 1) return std::make_unique<PlaneWall>(type_, axis, parameters_[0]);
     return std::make_unique<CylinderWall>(type_, axis, parameters_[0], parameters_[1], parameters_[2]);
@@ -144,8 +158,9 @@ double FixWall::gap(const double centre[3], double radius) const
     return least;
 }
 
-Surface FixWall::surface_of(LAMMPS_NS::FixMeshSurface& fix) const
+Surface FixWall::surface_of(int n)
 {
+    LAMMPS_NS::FixMeshSurface& fix = mesh(n);
     using NodeVelocities = LAMMPS_NS::MultiVectorContainer<double, 3, 3>;
     LAMMPS_NS::TriMesh& mesh = *fix.triMesh();
     // of meshes that move and of those that slide along themselves (surface_vel)
@@ -163,6 +178,11 @@ Surface FixWall::surface_of(LAMMPS_NS::FixMeshSurface& fix) const
     std::vector<MeshTriangle> all = of_all_ranks(mine, world);
     // they change rank as they move: what is remembered of them goes by their order
     std::sort(all.begin(), all.end(), [](const MeshTriangle& a, const MeshTriangle& b) { return a.id < b.id; });
+
+    std::vector<int>& ids = ids_[static_cast<std::size_t>(n)];
+    ids.clear();
+    for (const MeshTriangle& triangle : all)
+        ids.push_back(static_cast<int>(triangle.id));
 
     Surface surface;
     surface.travels = fix.mesh()->isMoving();

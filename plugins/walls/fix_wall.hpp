@@ -7,6 +7,7 @@
 
 #include "fix.h"
 #include "plugin/wall_gaps.hpp"
+#include "walls/mesh_load.hpp"
 #include "walls/triangle_wall.hpp"
 
 namespace LAMMPS_NS {
@@ -26,7 +27,9 @@ class FixWall : public LAMMPS_NS::Fix, public WallGaps {
 public:
     FixWall(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 
-    int setmask() override { return 0; }
+    int setmask() override;
+    /// Tells the meshes of style mesh/surface/stress what particles did to them since the last step.
+    void post_force(int) override;
 
     /// What the coupler asks at a run's start. Collective.
     void* extract(const char* name, int& dimension) override;
@@ -35,9 +38,14 @@ public:
     /// How many walls it has.
     int wall_count() const { return primitive_.empty() ? static_cast<int>(meshes_.size()) : 1; }
     /// One of them as it stands and moves now. Collective.
-    std::unique_ptr<Wall> wall(int n) const;
+    std::unique_ptr<Wall> wall(int n);
     /// Whether it moves from where it stands.
     bool travels(int n) const;
+
+    /// Whether it wants to know what particles do to it.
+    bool sums_forces(int n) const;
+    /// That they gave it an impulse [kg m/s] in one step. `element`: as WallPoint has it; `point`: where [m].
+    void push(int n, int element, const Vector& point, const Vector& impulse);
 
 protected:
     /// Ends the run. Collective.
@@ -48,12 +56,15 @@ private:
     void read_meshes(int narg, char** arg);
     double number(const char* word) const;
     LAMMPS_NS::FixMeshSurface& mesh(int n) const;
-    Surface surface_of(LAMMPS_NS::FixMeshSurface& fix) const;
+    bool sums_any_forces() const;
+    Surface surface_of(int n);
 
     int type_ = 0;
     std::string primitive_;
     std::vector<double> parameters_;
     std::vector<std::string> meshes_;
+    std::vector<std::vector<int>> ids_;            ///< of each mesh: of its triangles, by element
+    std::vector<MeshLoad> loads_;                  ///< on each mesh, of which it has not been told
     std::vector<std::unique_ptr<Wall>> asked_of_;  ///< the walls as they stood when gaps were asked for
 };
 

@@ -11,11 +11,11 @@ void WallSet::clear()
     origins_.clear();
 }
 
-void WallSet::add(const FixWall& fix)
+void WallSet::add(FixWall& fix)
 {
     for (int n = 0; n < fix.wall_count(); ++n) {
         walls_.push_back(fix.wall(n));
-        origins_.push_back({&fix, n});
+        origins_.push_back({&fix, n, fix.sums_forces(n)});
     }
 }
 
@@ -23,9 +23,9 @@ double WallSet::follow()
 {
     double off = 0;
     for (std::size_t k = 0; k < walls_.size(); ++k) {
-        const auto [fix, number] = origins_[k];
-        if (!fix->travels(number)) continue;
-        std::unique_ptr<Wall> now = fix->wall(number);
+        const Origin& origin = origins_[k];
+        if (!origin.fix->travels(origin.number)) continue;
+        std::unique_ptr<Wall> now = origin.fix->wall(origin.number);
         off = std::max(off, now->away_from(*walls_[k]));
         walls_[k] = std::move(now);
     }
@@ -42,6 +42,11 @@ bool WallSet::any_travels() const
 {
     return std::any_of(origins_.begin(), origins_.end(),
                        [](const Origin& origin) { return origin.fix->travels(origin.number); });
+}
+
+bool WallSet::any_sums_forces() const
+{
+    return std::any_of(origins_.begin(), origins_.end(), [](const Origin& origin) { return origin.sums_forces; });
 }
 
 double WallSet::fastest() const

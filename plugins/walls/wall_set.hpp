@@ -19,7 +19,7 @@ public:
     /// Forgets all.
     void clear();
     /// Adds the fix's walls as they stand now; it has to live on. Collective.
-    void add(const FixWall& fix);
+    void add(FixWall& fix);
 
     /// Those that travel, as they stand and move now. Nothing is sent where none does. Returns how far a point of them
     /// is from where travel() had it [m]. Collective.
@@ -32,10 +32,19 @@ public:
 
     const std::vector<std::unique_ptr<Wall>>& all() const { return walls_; }
 
+    /// Whether one of them wants to know what particles do to it.
+    bool any_sums_forces() const;
+    /// Tells it, if it does; FixWall::push().
+    void push(std::size_t wall, int element, const Vector& point, const Vector& impulse) const
+    {
+        if (origins_[wall].sums_forces) origins_[wall].fix->push(origins_[wall].number, element, point, impulse);
+    }
+
 private:
     struct Origin {
-        const FixWall* fix;
+        FixWall* fix;
         int number;
+        bool sums_forces;
     };
     std::vector<std::unique_ptr<Wall>> walls_;
     std::vector<Origin> origins_;  ///< of each

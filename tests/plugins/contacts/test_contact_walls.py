@@ -34,6 +34,24 @@ class Walls(ContactTest):
             self.assertAlmostEqual(states[-1]["vx"][0], -restitution, delta=0.01)  # a collision has 160 steps
 
 
+    def test_what_a_mesh_feels(self):
+        """A mesh of style mesh/surface/stress shows the forces on it, wherever its wall stands in the script; on two ranks, too."""
+        with open(os.path.join(self.root, "floor.stl"), "w", encoding="utf-8") as file:
+            file.write(triangles.stl(triangles.square(5, (0, 0, 0), (0.1, 0, 0), (0, 0.1, 0), seed=1)))
+        lines = sphere(1, 0.004, (0.03, 0.02, 0.008), (0.3, 0.2, -0.4)) + sphere(2, 0.003, (0.07, 0.06, 0.008), (-0.2, 0.1, -0.3))
+        mesh = MESH.replace("mesh/surface file", "mesh/surface/stress file").splitlines(keepends=True)
+        shown = "fix shown all ave/time 1 1 1 f_mesh[1] f_mesh[2] f_mesh[3] file felt\n"
+        for plugin in (PLAIN, KEPT):
+            for ranks, fixes, after in ((1, FIXES, "".join(mesh)), (1, "".join(mesh).replace("{plugin}", plugin) + FIXES, ""), (2, FIXES, "".join(mesh))):
+                script = scene(plugin, lines, after + GRAVITY + shown + "run 2000\n", 2000, fixes=fixes)
+                first, end = self.states(plugin, script, ranks)
+                felt = numpy.loadtxt(os.path.join(self.root, "felt"), comments="#")[:, 1:]
+                mass = first["mass"][:, None]
+                lost = (mass * (vectors(first) - vectors(end))).sum(axis=0) - [0, 0, 9.81 * mass.sum() * 2000e-5]
+                # ave/time writes six digits
+                numpy.testing.assert_allclose(1e-5 * felt.sum(axis=0), lost, atol=1e-4 * abs(lost).max())
+
+
 class MovingWalls(ContactTest):
     def write_floor(self):
         with open(os.path.join(self.root, "floor.stl"), "w", encoding="utf-8") as file:

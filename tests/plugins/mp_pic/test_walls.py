@@ -4,6 +4,7 @@
 along the wall, from both sides; and they are where straight flight, impact and straight flight bring them.
 """
 
+import glob
 import os
 
 import numpy
@@ -110,6 +111,27 @@ class Walls(support.ProgramTest):
                 # the plate stands still in the first step, for which LIGGGHTS tells no velocity
                 self.assertLess(faster, 1e-9)
                 self.assertLess(place_off, 1e-9)
+
+    def test_what_the_plate_feels(self):
+        """A mesh of style mesh/surface/stress shows the momentum that parcels lose to it, and the torque of that about a point."""
+        normal, middle = numpy.array([0, 0, 1.0]), numpy.array(SIZE) / 2
+        position, velocity, time, side = self.towards(middle, normal, 3)
+        about, step = numpy.array([0.01, 0.03, 0.02]), 1e-4
+        walls = ("fix sides all mesh/surface/stress file dem/sides.stl type 2 reference_point {} {} {}\n".format(*about)
+                 + "fix wall all wall/mp_pic mesh n_meshes 1 meshes sides\n"
+                 + "fix shown all ave/time 1 1 1 " + " ".join(f"f_sides[{k}]" for k in range(1, 7)) + " file felt\n")  # fmt: skip
+        plate = square(3, (0.0, 0.0, middle[2]), (SIZE[0], 0, 0), (0, SIZE[1], 0), 1)
+        found = self.fly(position, velocity, walls, step, [("dem/sides.stl", stl(plate))])
+        felt = numpy.loadtxt(sorted(glob.glob(os.path.join(self.root, "flight*", "felt")))[-1], comments="#")[:, 1:]
+        mass = 1000 * numpy.pi / 6 * DIAMETER**3
+        impulse = -mass * (found[1] - velocity)
+        where = position + time * velocity - side * RADIUS * normal  # of contact
+        expected = numpy.concatenate([impulse.sum(axis=0), numpy.cross(where - about, impulse).sum(axis=0)])
+        off = abs(step * felt.sum(axis=0) - expected) / abs(impulse).sum() / ([1] * 3 + [RADIUS] * 3)
+        print(f"impulse and torque on the plate off by {off.max():.1e} of all impulses (and a radius)")
+        # ave/time writes six digits; contacts are placed at the end of the part of a step, up to 0.08 radii off
+        self.assertLess(off[:3].max(), 1e-4)
+        self.assertLess(off[3:].max(), 0.02)
 
     def round_the_axis(self, axis, big, inside, seed):
         """Parcels that meet a cylinder once before END; (position, velocity, time of impact, normal to the wall)."""

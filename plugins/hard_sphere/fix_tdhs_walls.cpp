@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The walls that fix tdhs heeds: which, where they are, and what spheres do to them.
+#include <string>
+
+#include "atom.h"
+#include "hard_sphere/fix_tdhs.hpp"
+#include "hard_sphere/fix_wall_tdhs.hpp"
+#include "hard_sphere/wall_contacts.hpp"
+#include "modify.h"
+
+namespace interphase::hard_sphere {
+
+void FixTdhs::collect_walls()
+{
+    walls_.clear();
+    for (int k = 0; k < modify->nfix; ++k)
+        if (auto* fix = dynamic_cast<FixWallTdhs*>(modify->fix[k]); fix && fix->is_heeded_by(style)) walls_.add(*fix);
+    for (const auto& wall : walls_.all())
+        if (wall->type() < 0 || wall->type() >= atom->ntypes)
+            complain("a wall has a type that the simulation box does not know");
+}
+
+void FixTdhs::follow_walls()
+{
+    if (!walls_.any_travels()) return;
+    walls_.travel(limits_.step);  // through the last part of the step
+    const double off = walls_.follow(), most = walls::most_way_of_walls * smallest_radius_;
+    if (off > most)
+        complain(
+            "a wall is " + std::to_string(off) +
+            " m from where its last velocity would have brought it in a step, more than half the radius of a sphere, " +
+            std::to_string(most) +
+            " m, and may have passed through one. LIGGGHTS tells how fast a mesh moves once it has moved: give a "
+            "shorter step, or let the mesh set out slowly");
+}
+
+void FixTdhs::tell_walls()
+{
+    if (!walls_.any_sums_forces()) return;
+    for (const ContactSolver::WallPush& push : solver_.wall_pushes()) {
+        const auto [wall, element] = element_of(push.key, walls_.all().size());
+        const Vector centre = to_vector(bodies_.path[static_cast<std::size_t>(push.body)].place.centre);
+        walls_.push(wall, element, centre + push.point, push.impulse);
+    }
+}
+
+}  // namespace interphase::hard_sphere
