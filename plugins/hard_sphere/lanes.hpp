@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdlib>
 #include <cstring>
 
 #include "hard_sphere/bodies.hpp"
@@ -187,6 +188,16 @@ INTERPHASE_INLINE void store(Body* bodies, const ContactBatch& batch, int first,
 }
 
 /// How many contacts at once this processor takes best.
-inline int best_width() { return has_widest() ? 8 : 4; }
+/// How many contacts the solver takes at once. The variable INTERPHASE_LANES says fewer than the processor could, to
+/// measure what that costs.
+inline int best_width()
+{
+    static const int width = [] {
+        const char* said = std::getenv("INTERPHASE_LANES");
+        const int wanted = said ? std::atoi(said) : 0, most = has_widest() ? 8 : 4;
+        return wanted == 1 || wanted == 4 ? wanted : most;
+    }();
+    return width;
+}
 
 }  // namespace interphase::hard_sphere

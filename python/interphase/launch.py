@@ -102,27 +102,27 @@ def build_folder():
     return os.environ.get("INTERPHASE_BUILD") or os.path.join(REPOSITORY, "build", "release")
 
 
-def program(name):
+def program(name, environment=os.environ):
     """The path of one of our programs: INTERPHASE_BIN, or what stands beside it, or the build's; InputError where it is not there."""
-    chosen = os.environ.get("INTERPHASE_BIN") or os.path.join(build_folder(), "interphase")
+    chosen = environment.get("INTERPHASE_BIN") or os.path.join(build_folder(), "interphase")
     path = chosen if name == "interphase" else os.path.join(os.path.dirname(os.path.realpath(chosen)), name)
     if not os.access(path, os.X_OK):
         raise InputError(f"{path}: the program is not there; `tools/setup` builds it, INTERPHASE_BIN names another interphase")
     return path
 
 
-def liggghts(script, folder, variables=None, plugins=None, ranks=1, timeout=None):
+def liggghts(script, folder, variables=None, plugins=None, ranks=1, timeout=None, environment=None):
     """Run a LIGGGHTS script in `folder` with `variables` {name: value}: by the packaged `liggghts`, or by ours with the `plugins` [name, ...];
-    `timeout` [s] of wall time.
+    `timeout` [s] of wall time; `environment`: variables beside those there are.
 
     Returns what it said. StepFailed with the end of that where it fails. A screen is left to it: some scripts crash with `-screen none`.
     """
-    words = ["liggghts"] if plugins is None else [program("interphase-liggghts"), *(word for name in plugins for word in ("-plugin", name))]
+    environment = {**os.environ, **additions(os.environ), **(environment or {})}
+    words = ["liggghts"] if plugins is None else [program("interphase-liggghts", environment), *(word for name in plugins for word in ("-plugin", name))]
     words = [*(["mpirun", "-np", str(ranks), "--oversubscribe"] if ranks > 1 else []), *words, "-in", script]
     for name, value in (variables or {}).items():
         words += ["-var", name, f"{value}"]
-    done = subprocess.run(words, cwd=folder, env={**os.environ, **additions(os.environ)}, stdin=subprocess.DEVNULL, capture_output=True, text=True,
-                          timeout=timeout)  # fmt: skip
+    done = subprocess.run(words, cwd=folder, env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=timeout)  # fmt: skip
     if done.returncode != 0:
         raise StepFailed(f"{' '.join(words)} in {folder} failed {how_it_ended(done.returncode)}:\n{(done.stdout + done.stderr)[-2000:]}")
     return done.stdout

@@ -7,6 +7,7 @@ Commands:
   methods    The collision methods beside each other on sscp1, each from a bed that has bubbled for a while: seconds of the
              particle phase per simulated second, run in turn, and how many times faster than DEM each is.
   cost       Where a step of the hard spheres goes: search, walls, contacts, integration, communication.
+  laws       What a law of contacts costs: beds that fall and rest, each law in turn, its time over the built-in one's.
   scaling    Cost per particle and step as their number grows: hard spheres in settled beds of 10^3 to 10^6 (TDHS), or
              parcels of MP-PIC in sscp1, 10^4 to 10^6 of them in the same vessel and mesh (MPPIC).
   phases     A coupled run: the share of each phase in its wall-clock time, what the coupling itself costs
@@ -22,21 +23,19 @@ Examples:
   tools/bench phases --method DEM --until 0.5
   tools/bench methods --rounds 3
   tools/bench cost
+  tools/bench laws --lanes 4
   tools/bench scaling --method MPPIC
 """
 
 import argparse
 import contextlib
-import io
-import math
 import os
-import re
 import statistics
 import sys
 import tempfile
 
-from interphase import Case, InputError, Run, StepFailed, cost_study, launch, parameters, stored, tables
-from interphase.commands import bed
+from interphase import Case, InputError, Run, StepFailed, cost_study, launch, law_benchmark, parameters, stored, tables
+from interphase.settled_bed import loop_seconds, spans
 from interphase.tree import CASES
 
 CASE = os.path.join(CASES, "sscp1")
@@ -61,11 +60,7 @@ def native_loop_seconds(folder, meta):
     with open(os.path.join(folder, "dem", "in.native"), "w") as stream:
         stream.write(f"include dem/in.liggghts\ntimestep {meta['solid_step']!r}\nrun {steps}\n")
     said = launch.liggghts("dem/in.native", folder, parameters.read(os.path.join(folder, parameters.PARAMETERS)))
-    return loop_seconds(said)
-
-
-def loop_seconds(said):
-    return float(re.findall(r"Loop time of (\S+)", said)[-1])
+    return loop_seconds(said)[-1]
 
 
 def overhead(given):
@@ -142,34 +137,6 @@ def methods(given):
     print("\n".join(tables.columns(rows, right=(1, 2))))
 
 
-PARTS = ("search", "walls", "contacts", "integration", "communication")
-SETTLED = """units si
-atom_style granular
-atom_modify map array sort 200 {bins}
-boundary f f f
-newton off
-communicate single vel yes
-read_data bed.data
-neighbor {diameter} bin
-neigh_modify delay 0
-fix en all property/global coefficientRestitution peratomtypepair 2 0.84 0.92 0.92 0.92
-fix et all property/global tangentialRestitution peratomtypepair 2 0.84 0.92 0.92 0.92
-fix mu all property/global coefficientFriction peratomtypepair 2 0.35 0.35 0.35 0.35
-fix w1 all wall/tdhs primitive type 2 xplane 0
-fix w2 all wall/tdhs primitive type 2 xplane {width}
-fix w3 all wall/tdhs primitive type 2 yplane 0
-fix w4 all wall/tdhs primitive type 2 yplane {width}
-fix w5 all wall/tdhs primitive type 2 zplane 0
-fix gravity all gravity 9.81 vector 0 0 -1
-fix hs all tdhs
-timestep 3.5e-4
-thermo_style custom step atoms v_hs_pairs {parts}
-thermo {steps}
-run {settle}
-run {steps}
-"""
-
-
 NOTHING_ELSE = {"records/snapshotInterval": 1000, "system/controlDict:writeInterval": 1000, "checkpoint/wallInterval": 0}  # is written
 
 
@@ -206,31 +173,13 @@ def statistics_in_run(given):
         print(f"{method:5s}{weight:3d} {meta['particles']:8.0f} {measured[0]:14.2f} {measured[1]:16.2f} % {measured[2]:22.2f} {measured[3]:16.2f} %", flush=True)
 
 
-def settled_bed(count, settle, steps):
-    """Seconds per step of each part, in a bed of `count` spheres of 3.256 mm that has come to rest; contacts per sphere."""
-    diameter = 3.256e-3
-    width = max(8 * diameter, (count * math.pi / 6 * diameter**3 / 0.4 / 4) ** (1 / 3))
-    with tempfile.TemporaryDirectory(prefix="interphase-bench-") as scratch:
-        with contextlib.redirect_stdout(io.StringIO()):
-            bed.main(["--count", str(count), "--diameter", repr(diameter), "--density", "1131", "--box", "0", repr(width), "0", repr(width), "0",
-                      repr(12 * width), "--packing", "0.4", "--types", "2", "--out", os.path.join(scratch, "bed.data")])  # fmt: skip
-        with open(os.path.join(scratch, "in.settled"), "w") as stream:
-            stream.write(SETTLED.format(bins=2 * diameter, diameter=diameter, width=width, settle=settle, steps=steps,
-                                        parts=" ".join(f"v_hs_{part}" for part in PARTS)))
-        log = launch.liggghts("in.settled", scratch, plugins=["hard_sphere"])
-    loop = loop_seconds(log)
-    rows = [line.split() for line in log.splitlines() if re.fullmatch(r"[\d\s.e+-]+", line) and len(line.split()) == 3 + len(PARTS)]
-    spent = [(float(b) - float(a)) / steps for a, b in zip(rows[-2][3:], rows[-1][3:])]
-    return dict(zip(PARTS, spent)), loop / steps, float(rows[-1][2]) / count
-
-
 def cost(given):
-    spent, whole, contacts = settled_bed(given.count, given.settle, given.steps)
-    print(f"{given.count} spheres at rest, {contacts:.2f} contacts within the margin per sphere")
+    span = spans(given.count, (given.settle, given.steps))[-1]
+    print(f"{given.count} spheres at rest, {span.pairs / given.count:.2f} contacts within the margin per sphere")
     rows = [("part", "ns per sphere and step", "share")]
-    rest = whole - sum(spent.values())
-    for part, seconds in [*spent.items(), ("LIGGGHTS", rest), ("whole", whole)]:
-        rows.append((part, f"{1e9 * seconds / given.count:.1f}", f"{100 * seconds / whole:.1f} %"))
+    rest = span.seconds - sum(span.parts.values())
+    for part, seconds in [*span.parts.items(), ("LIGGGHTS", rest), ("whole", span.seconds)]:
+        rows.append((part, f"{1e9 * seconds / given.count:.1f}", f"{100 * seconds / span.seconds:.1f} %"))
     print("\n".join(tables.columns(rows, right=(1, 2))))
 
 
@@ -241,8 +190,8 @@ def scaling(given):
 def scaling_of_hard_spheres(given):
     print(f"{'spheres':>9s} {'ns per sphere and step':>24s}")
     for count in (1_000, 10_000, 100_000, 1_000_000):
-        _, whole, _ = settled_bed(count, given.settle, max(20, min(2000, 2_000_000 // count)))
-        print(f"{count:9d} {1e9 * whole / count:24.1f}", flush=True)
+        span = spans(count, (given.settle, max(20, min(2000, 2_000_000 // count))))[-1]
+        print(f"{count:9d} {1e9 * span.seconds / count:24.1f}", flush=True)
 
 
 def scaling_of_mp_pic(given):
@@ -256,6 +205,18 @@ def scaling_of_mp_pic(given):
             steps = parcels * meta["simulated_time"] / meta["solid_step"]
             coupling = timing["mapping"] + timing["exchange"]
             print(f"{parcels:9d} {1e9 * timing['solids'] / steps:10.1f} {1e9 * coupling / steps:22.1f}", flush=True)
+
+
+def cost_of_laws(given):
+    found = law_benchmark.laws(given.against)
+    unknown = set(given.only) - set(found)
+    if unknown:
+        raise InputError(f"--only {', '.join(sorted(unknown))}: none of the laws; there are {', '.join(found)}")
+    wanted = {name: law for name, law in found.items() if name == law_benchmark.BUILT_IN or not given.only or name in given.only}
+    print(f"{given.count} spheres, {given.lanes or 'as many as the processor takes'} contacts at once")
+    seconds = law_benchmark.measure(given.count, given.rounds, wanted, given.lanes, lambda text: print(text, flush=True))
+    print("time over that of the built-in law, median of the rounds (least to most)")
+    print("\n".join(law_benchmark.report(seconds)))
 
 
 def cost_of_the_model(given):
@@ -291,6 +252,12 @@ def main():
     three.add_argument("--only", action="append", choices=list(METHODS), help="this one; may be given again")
     four = commands.add_parser("cost", help="parts of a hard-sphere step")
     four.add_argument("--count", type=int, default=95000)
+    eight = commands.add_parser("laws", help="laws of contacts beside the built-in one")
+    eight.add_argument("--count", type=int, default=20000, help="spheres (default 20000)")
+    eight.add_argument("--rounds", type=int, default=7)
+    eight.add_argument("--lanes", type=int, default=0, choices=[0, 1, 4, 8], help="contacts at once: 8 (512 bits), 4 (256 bits), 1; 0: what the processor has (default)")
+    eight.add_argument("--only", metavar="LAW", action="append", default=[], help="this one beside the built-in one; may be given again")
+    eight.add_argument("--against", metavar="DIR", help="build folder of another version, whose built-in law is run, too")
     five = commands.add_parser("scaling", help="cost of a step of hard spheres or MP-PIC as the number of particles grows")
     five.add_argument("--method", default="TDHS", choices=["TDHS", "MPPIC"])
     five.add_argument("--until", type=float, default=0.1, help="MPPIC: simulated seconds (default 0.1)")
@@ -306,7 +273,7 @@ def main():
     given = parser.parse_args()
     try:
         {"overhead": overhead, "phases": phases, "methods": methods, "cost": cost, "scaling": scaling, "records": records,
-         "cost-model": cost_of_the_model,
+         "cost-model": cost_of_the_model, "laws": cost_of_laws,
          "statistics": statistics_in_run}[given.command](given)
     except (InputError, StepFailed) as error:
         sys.exit(f"bench: {error}")
