@@ -13,7 +13,7 @@ set(_shared_headers contacts/fix_contacts.hpp contacts/fix_contacts_with_memory.
     hard_sphere/any_law.hpp hard_sphere/attraction.hpp hard_sphere/batch_builder.hpp hard_sphere/bodies.hpp hard_sphere/cell_grid.hpp hard_sphere/cluster.hpp hard_sphere/contact.hpp
     hard_sphere/contact_batch.hpp hard_sphere/contact_solver.hpp hard_sphere/cost.hpp hard_sphere/counters.hpp hard_sphere/effort.hpp hard_sphere/fix_tdhs.hpp
     hard_sphere/fix_tdhs_of.hpp hard_sphere/fix_wall_tdhs.hpp hard_sphere/impact.hpp hard_sphere/impulse_memory.hpp
-    hard_sphere/lane_numbers.hpp hard_sphere/lanes.hpp hard_sphere/law.hpp hard_sphere/law_check.hpp hard_sphere/law_functions.hpp hard_sphere/law_of.hpp hard_sphere/material.hpp
+    hard_sphere/lane_numbers.hpp hard_sphere/messages.hpp hard_sphere/lanes.hpp hard_sphere/law.hpp hard_sphere/law_check.hpp hard_sphere/law_functions.hpp hard_sphere/law_of.hpp hard_sphere/material.hpp
     hard_sphere/pair_search.hpp hard_sphere/processor.hpp hard_sphere/response.hpp hard_sphere/step_limits.hpp hard_sphere/sweep.hpp)
 function(_lay_out root)
     foreach(_header IN LISTS ARGN)

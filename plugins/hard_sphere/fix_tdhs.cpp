@@ -27,7 +27,6 @@ namespace interphase::hard_sphere {
 namespace {
 
 constexpr int grow_callback = 0;
-constexpr int ahead = 8;  // spheres
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -78,7 +77,7 @@ namespace {
 /// In a restart file.
 struct StepState {
     StepLimits limits;
-    double reach, parts;
+    double reach, parts, pulled;
     std::array<double, counter_number> counted;
 };
 
@@ -86,7 +85,7 @@ struct StepState {
 
 void FixTdhs::write_restart(FILE* file)
 {
-    StepState state{limits_, reach_, static_cast<double>(parts_), counted_};
+    StepState state{limits_, reach_, static_cast<double>(parts_), pulled_, counted_};
     state.counted[deepest_overlap] = shared_max(counted_[deepest_overlap]);
     MPI_Allreduce(&counted_[impulses_left_out], &state.counted[impulses_left_out], 1, MPI_DOUBLE, MPI_SUM, world);
     if (comm->me != 0) return;
@@ -102,6 +101,7 @@ void FixTdhs::restart(char* buffer)
     limits_ = state.limits;
     reach_ = state.reach;
     parts_ = static_cast<int>(state.parts);
+    pulled_ = state.pulled;
     counted_ = state.counted;
     if (comm->me != 0) counted_[impulses_left_out] = 0;  // the sum of all ranks
 }
@@ -179,9 +179,8 @@ void FixTdhs::final_integrate()
     const TinyIsZero in_this_step;
     add_forces();
     follow_walls();
-    if (range_ > 0) attract();
     choose_parts();
-    resolve_contacts();
+    resolve_contacts(range_ > 0);
     cost_.switch_to(Part::outside);
 }
 
@@ -201,7 +200,7 @@ void FixTdhs::move()
             }
 }
 
-void FixTdhs::resolve_contacts()
+void FixTdhs::resolve_contacts(bool attracting)
 {
     if (has_ghosts()) {
         cost_.switch_to(Part::communication);
@@ -213,8 +212,12 @@ void FixTdhs::resolve_contacts()
         comm->forward_comm_fix(this);
     }
     cost_.switch_to(Part::search);
-    gather(reach_);
-    pairs_.find(bodies_, grid_, limits_.step, limits_.margin, limits_.touching);
+    if (attracting)
+        attract();
+    else {
+        gather(reach_);
+        pairs_.find(bodies_, grid_, limits_.step, limits_.margin, limits_.touching);
+    }
     cost_.switch_to(Part::walls);
     find_wall_contacts(bodies_, walls_.all(), law_->materials, limits_, wall_contacts_);
 
@@ -257,71 +260,7 @@ void FixTdhs::add_forces()
     }
 }
 
-void FixTdhs::gather(double reach)
-{
-    const int count = atom->nlocal + atom->nghost;
-    bodies_.resize(at(count));
-    body_of_.resize(at(count));
-    shared_.resize(at(count));
-    grid_.sort(count > 0 ? atom->x[0] : nullptr, atom->radius, at(count), reach, up_axis_);
-    bodies_.coarse.start(grid_.low(), grid_.high());
-    constexpr int block = 256;  // what is read twice is still near the processor then
-    for (int first = 0; first < count; first += block) {
-        const int last = std::min(first + block, count);
-        gather(first, last);
-        bodies_.write_coarse(at(first), at(last));
-    }
-}
-
-void FixTdhs::gather(int first, int last)
-{
-    const double *x = atom->x[0], *v = atom->v[0], *omega = atom->omega[0];
-    const std::vector<int>& order = grid_.order();
-    for (int b = first; b < last; ++b) {
-        const int i = order[at(b)];
-        // the engine's order and ours agree roughly only, so the processor cannot know what comes next
-        const int soon = 3 * order[std::min(at(b + ahead), order.size() - 1)];
-        __builtin_prefetch(x + soon);
-        __builtin_prefetch(v + soon);
-        __builtin_prefetch(omega + soon);
-        __builtin_prefetch(&push_[at(soon)]);
-
-        body_of_[at(i)] = b;
-        const double r = atom->radius[i];
-        const bool moves = atom->mask[i] & groupbit;
-        Path& path = bodies_.path[at(b)];
-        set(path.place.centre, to_vector(x + 3 * i));
-        path.place.radius = r;
-        set(path.velocity, to_vector(v + 3 * i));
-        Body& body = bodies_.body[at(b)];
-        set(body.velocity, to_vector(v + 3 * i));
-        set(body.spin, to_vector(omega + 3 * i));
-        body.inverse_mass = moves ? 1 / atom->rmass[i] : 0;
-        body.inverse_inertia = 2.5 * body.inverse_mass / (r * r);
-        bodies_.label[at(b)] = {atom->tag[i], static_cast<short>(atom->type[i] - 1), i >= atom->nlocal, !moves,
-                                memory_.first(i)};
-        set(bodies_.push[at(b)].change, to_vector(&push_[at(3 * i)]));
-    }
-}
-
 bool FixTdhs::has_ghosts() const { return comm->nprocs > 1 || atom->nghost > 0; }
-
-void FixTdhs::scatter()
-{
-    if (has_ghosts()) {
-        message_ = Message::shift;
-        comm->reverse_comm_fix(this);
-    }
-    for (int i = 0; i < atom->nlocal; ++i) {
-        const auto soon = at(body_of_[at(std::min(i + ahead, atom->nlocal - 1))]);
-        __builtin_prefetch(&bodies_.body[soon]);
-        __builtin_prefetch(&solver_.shift()[soon]);
-        const auto b = at(body_of_[at(i)]);
-        set(atom->v[i], to_vector(bodies_.body[b].velocity));
-        set(atom->omega[i], to_vector(bodies_.body[b].spin));
-        set(&shift_[at(3 * i)], solver_.shift()[b]);
-    }
-}
 
 double FixTdhs::shared_max(double value) const
 {

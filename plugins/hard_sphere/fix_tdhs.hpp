@@ -16,6 +16,7 @@
 #include "hard_sphere/cost.hpp"
 #include "hard_sphere/counters.hpp"
 #include "hard_sphere/effort.hpp"
+#include "hard_sphere/messages.hpp"
 #include "hard_sphere/pair_search.hpp"
 #include "walls/wall_set.hpp"
 
@@ -87,14 +88,15 @@ private:
     void check_law();
     void add_forces();
     void attract();
-    void find_attractions();
-    void find_attractions_of_walls();
+    void add_up_pulls();
+    double pull();
+    PullMessage pull_of(std::size_t body) const;
     void gather(double reach);
     void gather(int first, int last);
     void choose_effort();
     void choose_parts();
     void move();
-    void resolve_contacts();
+    void resolve_contacts(bool attracting = false);
     bool has_ghosts() const;
     void tell_counts();  ///< of touches, to the ranks that have a sphere as a ghost
 
@@ -143,7 +145,8 @@ private:
 
     double range_ = 0;  ///< of the law's attraction; 0: it has none [m]
     std::vector<Attraction> attractions_;
-    Scalars pulls_;  ///< impulses by these [atoms, ghosts included, x 3, kg m/s]
+    std::vector<Vector> pulls_;  ///< impulses by these [bodies, kg m/s]
+    double pulled_ = 0;          ///< the largest change of a velocity by them in the last step, of all ranks [m/s]
 
     Scalars push_;   ///< [atoms x 3]
     Scalars shift_;  ///< not yet in the positions [atoms x 3, m]

@@ -1,102 +1,72 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The attraction of fix tdhs's law: a force over a range, whose impulse of a step is added with that of the other
 // forces, before contacts are resolved. These keep apart what touches.
-#include "atom.h"
+#include <algorithm>
+#include <cmath>
+
 #include "comm.h"
 #include "hard_sphere/fix_tdhs.hpp"
-#include "hard_sphere/impact.hpp"
 #include "hard_sphere/wall_contacts.hpp"
 #include "update.h"
 
 namespace interphase::hard_sphere {
 
-namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
+/// Finds the pairs of the step, too: one search is for both. They meet as they move with the attraction's impulse in
+/// their velocities, which the search does not know yet: it looks as much farther as the last step's impulses brought
+/// two spheres nearer.
 void FixTdhs::attract()
 {
-    if (has_ghosts() && sizes_change_) {
-        cost_.switch_to(Part::communication);
-        message_ = Message::sizes;
-        comm->forward_comm_fix(this);
-    }
+    const double margin = std::max(limits_.margin, range_) + 2 * pulled_ * limits_.step;
+    gather(std::max(reach_, margin));
+    pairs_.find(bodies_, grid_, limits_.step, margin, limits_.touching);
     attractions_.clear();
-    cost_.switch_to(Part::search);
-    find_attractions();
+    find_attractions(bodies_, pairs_, law_->materials, range_, attractions_);
     cost_.switch_to(Part::walls);
-    find_attractions_of_walls();
+    find_wall_attractions(bodies_, walls_.all(), law_->materials, range_, attractions_);
 
     cost_.switch_to(Part::contacts);
     law_->attract(attractions_);
-    pulls_.assign(3 * at(atom->nlocal + atom->nghost), 0.0);
-    for (const Attraction& pair : attractions_) {
-        const Vector impulse = update->dt * pair.force * pair.normal;
-        double* of_i = &pulls_[at(3 * pair.i)];
-        set(of_i, to_vector(of_i) + impulse);
-        if (pair.j < 0) {
-            const auto [wall, element] = element_of(pair.j, walls_.all().size());
-            walls_.push(wall, element, to_vector(atom->x[pair.i]) + atom->radius[pair.i] * pair.normal, -impulse);
-            continue;
-        }
-        double* of_j = &pulls_[at(3 * pair.j)];
-        set(of_j, to_vector(of_j) - impulse);
-    }
+    add_up_pulls();
     if (has_ghosts()) {
         cost_.switch_to(Part::communication);
         message_ = Message::pulls;
         comm->reverse_comm_fix(this);
+        comm->forward_comm_fix(this);
     }
-    cost_.switch_to(Part::integration);
-    for (int i = 0; i < atom->nlocal; ++i) {
-        if (!(atom->mask[i] & groupbit)) continue;
-        for (int k = 3 * i; k < 3 * i + 3; ++k) {
-            const double gained = pulls_[at(k)] / atom->rmass[i];
-            atom->v[0][k] += gained;
-            push_[at(k)] += gained;
+    pulled_ = shared_max(pull());
+    cost_.switch_to(Part::search);
+    pairs_.look_again(bodies_, limits_.step, limits_.margin, limits_.touching);
+}
+
+void FixTdhs::add_up_pulls()
+{
+    pulls_.assign(bodies_.size(), Vector::Zero());
+    for (const Attraction& pair : attractions_) {
+        const Vector impulse = update->dt * pair.force * pair.normal;
+        const auto i = static_cast<std::size_t>(pair.i);
+        pulls_[i] += impulse;
+        if (pair.j >= 0) {
+            pulls_[static_cast<std::size_t>(pair.j)] -= impulse;
+        } else {
+            const auto [wall, element] = element_of(pair.j, walls_.all().size());
+            const Place& place = bodies_.path[i].place;
+            walls_.push(wall, element, to_vector(place.centre) + place.radius * pair.normal, -impulse);
         }
     }
 }
 
-/// Of spheres where they are now: the search for pairs that meet, in a step of no time.
-void FixTdhs::find_attractions()
+/// Returns the largest change of a velocity [m/s].
+double FixTdhs::pull()
 {
-    gather(range_);
-    pairs_.find(bodies_, grid_, 0, range_, range_);
-    const std::vector<int>& particle = grid_.order();
-    for (const Pair& pair : pairs_) {
-        const Label &a = bodies_.label[at(pair.i)], &b = bodies_.label[at(pair.j)];
-        if ((a.fixed && b.fixed) || !resolves(a.id, a.ghost, b.id, b.ghost)) continue;
-        const Place &from = bodies_.path[at(pair.i)].place, &to = bodies_.path[at(pair.j)].place;
-        const Vector apart = to_vector(to.centre) - to_vector(from.centre);
-        const double distance = apart.norm(), gap = distance - from.radius - to.radius;
-        if (gap >= range_ || distance == 0) continue;
-        attractions_.push_back({particle[at(pair.i)], particle[at(pair.j)], law_->materials.between(a.type, b.type),
-                                gap, effective_radius(from.radius, to.radius), apart / distance, 0});
+    double largest2 = 0;
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const Vector gained = bodies_.body[b].inverse_mass * pulls_[b];
+        largest2 = std::max(largest2, gained.squaredNorm());
+        for (auto* velocity : {bodies_.path[b].velocity, bodies_.body[b].velocity})
+            set(velocity, to_vector(velocity) + gained);
+        set(bodies_.push[b].change, to_vector(bodies_.push[b].change) + gained);
     }
-}
-
-void FixTdhs::find_attractions_of_walls()
-{
-    std::vector<walls::WallPoint> points;
-    for (std::size_t w = 0; w < walls_.all().size(); ++w) {
-        const walls::Wall& wall = *walls_.all()[w];
-        for (int i = 0; i < atom->nlocal; ++i) {
-            if (!(atom->mask[i] & groupbit)) continue;
-            Place place;
-            set(place.centre, to_vector(atom->x[i]));
-            place.radius = atom->radius[i];
-            if (!wall.may_touch(place, range_)) continue;
-            points.clear();
-            wall.near(place, range_, points);
-            for (const walls::WallPoint& point : points)
-                attractions_.push_back({i, wall_key(w, point.element, walls_.all().size()),
-                                        law_->materials.between(atom->type[i] - 1, wall.type()), point.gap,
-                                        place.radius, point.normal, 0});
-        }
-    }
+    return std::sqrt(largest2);
 }
 
 }  // namespace interphase::hard_sphere

@@ -113,6 +113,13 @@ void FixTdhs::share_changes()
     cost_.switch_to(Part::contacts);
 }
 
+PullMessage FixTdhs::pull_of(std::size_t body) const
+{
+    PullMessage message;
+    set(message.impulse, pulls_[body]);
+    return message;
+}
+
 int FixTdhs::pack_comm(int n, int* list, double* buffer, int, int*)
 {
     if (message_ == Message::start)
@@ -127,6 +134,7 @@ int FixTdhs::pack_comm(int n, int* list, double* buffer, int, int*)
     if (message_ == Message::sizes)
         return pack_each(n, buffer, [&](int k) { return SizeMessage{atom->radius[list[k]], atom->rmass[list[k]]}; });
     const auto body_of = [&](int k) { return at(body_of_[at(list[k])]); };
+    if (message_ == Message::pulls) return pack_each(n, buffer, [&](int k) { return pull_of(body_of(k)); });
     if (message_ == Message::counts)
         return pack_each(n, buffer, [&](int k) { return CountMessage{static_cast<double>((*counts_)[body_of(k)])}; });
     return pack_each(n, buffer, [&](int k) {
@@ -153,6 +161,9 @@ void FixTdhs::unpack_comm(int n, int first, double* buffer)
             atom->rmass[first + k] = message.mass;
         });
     const auto body_of = [&](int k) { return at(body_of_[at(first + k)]); };
+    if (message_ == Message::pulls)
+        return unpack_each<PullMessage>(
+            n, buffer, [&](int k, const PullMessage& message) { pulls_[body_of(k)] = to_vector(message.impulse); });
     if (message_ == Message::counts)
         return unpack_each<CountMessage>(n, buffer, [&](int k, const CountMessage& message) {
             (*counts_)[body_of(k)] = static_cast<std::uint8_t>(message.count);
@@ -167,13 +178,8 @@ void FixTdhs::unpack_comm(int n, int first, double* buffer)
 
 int FixTdhs::pack_reverse_comm(int n, int first, double* buffer)
 {
-    if (message_ == Message::pulls)
-        return pack_each(n, buffer, [&](int k) {
-            PullMessage message;
-            set(message.impulse, to_vector(&pulls_[at(3 * (first + k))]));
-            return message;
-        });
     const auto body_of = [&](int k) { return at(body_of_[at(first + k)]); };
+    if (message_ == Message::pulls) return pack_each(n, buffer, [&](int k) { return pull_of(body_of(k)); });
     if (message_ == Message::counts)
         return pack_each(n, buffer, [&](int k) { return CountMessage{static_cast<double>((*counts_)[body_of(k)])}; });
     if (message_ == Message::shift)
@@ -193,12 +199,10 @@ int FixTdhs::pack_reverse_comm(int n, int first, double* buffer)
 
 void FixTdhs::unpack_reverse_comm(int n, int* list, double* buffer)
 {
-    if (message_ == Message::pulls)
-        return unpack_each<PullMessage>(n, buffer, [&](int k, const PullMessage& message) {
-            double* pull = &pulls_[at(3 * list[k])];
-            set(pull, to_vector(pull) + to_vector(message.impulse));
-        });
     const auto body_of = [&](int k) { return at(body_of_[at(list[k])]); };
+    if (message_ == Message::pulls)
+        return unpack_each<PullMessage>(
+            n, buffer, [&](int k, const PullMessage& message) { pulls_[body_of(k)] += to_vector(message.impulse); });
     if (message_ == Message::counts)
         return unpack_each<CountMessage>(n, buffer, [&](int k, const CountMessage& message) {
             // ranks that share a sphere; of 255 and more, which none will be, the last share its mass too thin

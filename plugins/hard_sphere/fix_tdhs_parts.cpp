@@ -40,7 +40,7 @@ void FixTdhs::choose_parts()
     const double* v = atom->nlocal > 0 ? atom->v[0] : nullptr;
     for (int i = 0; i < 3 * atom->nlocal; i += 3)
         fastest2 = std::max(fastest2, v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2]);
-    const double fastest = std::sqrt(shared_max(fastest2)), of_walls = walls_.fastest();
+    const double fastest = std::sqrt(shared_max(fastest2)) + pulled_, of_walls = walls_.fastest();
     const double diameter = 2 * smallest_radius_, widest = 2 * ghosts_.largest_radius();
     const double closing = 2 * fastest * update->dt;  // no two spheres close a wider gap in a step
 

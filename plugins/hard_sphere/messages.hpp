@@ -22,7 +22,7 @@ struct SizeMessage {
     double mass;    ///< [kg]
 };
 
-/// To the owner: the impulse of a law's attractions.
+/// The impulse of a law's attractions: to the owner, where they are added up, and from it.
 struct PullMessage {
     double impulse[3];  ///< [kg m/s]
 };

@@ -106,6 +106,27 @@ void PairSearch::look_through(const Coarse& spheres, const CellGrid& grid, doubl
     row_count_ = static_cast<std::size_t>(row - rows_.data());
 }
 
+void PairSearch::look_again(const Bodies& bodies, double step, double margin, double touching)
+{
+    touches_.assign(bodies.size() + 1, 0);
+    Pair* kept = pairs_.data();
+    for (const Pair& pair : *this) {
+        const auto i = static_cast<std::size_t>(pair.i), j = static_cast<std::size_t>(pair.j);
+        const walls::Place &a = bodies.path[i].place, &b = bodies.path[j].place;
+        const Vector apart = to_vector(b.centre) - to_vector(a.centre);
+        const Vector meeting = to_vector(bodies.path[j].velocity) - to_vector(bodies.path[i].velocity);
+        const double closing = apart.dot(meeting), speed2 = meeting.squaredNorm();
+        const double then = speed2 > 0 ? std::clamp(-closing / speed2, 0.0, step) : 0;  // when they are nearest
+        const double gap = (apart + then * meeting).norm() - a.radius - b.radius;
+        if (gap > margin) continue;
+        const unsigned touch = gap < touching ? 1 : 0;
+        *kept++ = {pair.i, pair.j, touch};
+        count_touch(touches_[i], touch);
+        count_touch(touches_[j], touch);
+    }
+    used_ = static_cast<std::size_t>(kept - pairs_.data());
+}
+
 void PairSearch::write_pairs()
 {
     used_ = 0;

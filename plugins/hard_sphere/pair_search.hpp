@@ -29,6 +29,9 @@ public:
     /// [m] counts as a touch.
     void find(const Bodies& bodies, const CellGrid& grid, double step, double margin, double touching);
 
+    /// Looks at the pairs found once more, as velocities have changed: drops those that no longer come so near.
+    void look_again(const Bodies& bodies, double step, double margin, double touching);
+
     /// How many pairs touch each body, 2 standing for more [bodies and walls].
     const std::vector<std::uint8_t>& touches() const { return touches_; }
 

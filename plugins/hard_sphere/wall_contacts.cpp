@@ -109,4 +109,26 @@ void find_wall_contacts(Bodies& bodies, const std::vector<std::unique_ptr<walls:
     }
 }
 
+void find_wall_attractions(const Bodies& bodies, const std::vector<std::unique_ptr<walls::Wall>>& walls,
+                           const Materials& materials, double range, std::vector<Attraction>& found)
+{
+    std::vector<WallPoint> points;
+    std::vector<int> chosen;
+    for (std::size_t w = 0; w < walls.size(); ++w) {
+        const Wall& wall = *walls[w];
+        chosen.clear();
+        choose(wall, bodies, range, chosen);
+        for (const int i : chosen) {
+            const Label& label = bodies.label[static_cast<std::size_t>(i)];
+            if (label.ghost || label.fixed) continue;
+            const Place& place = bodies.path[static_cast<std::size_t>(i)].place;
+            points.clear();
+            wall.near(place, range, points);
+            for (const WallPoint& point : points)
+                found.push_back({i, wall_key(w, point.element, walls.size()),
+                                 materials.between(label.type, wall.type()), point.gap, place.radius, point.normal, 0});
+        }
+    }
+}
+
 }  // namespace interphase::hard_sphere

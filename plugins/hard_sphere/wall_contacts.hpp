@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "hard_sphere/attraction.hpp"
 #include "hard_sphere/contact.hpp"
 #include "walls/wall.hpp"
 
@@ -29,5 +30,9 @@ inline WallElement element_of(int wall_key, std::size_t walls)
 /// each point of a moving wall is appended.
 void find_wall_contacts(Bodies& bodies, const std::vector<std::unique_ptr<walls::Wall>>& walls,
                         const Materials& materials, const StepLimits& limits, std::vector<Contact>& found);
+
+/// Adds the spheres of this rank whose gap to a wall is below `range` [m] where they are now.
+void find_wall_attractions(const Bodies& bodies, const std::vector<std::unique_ptr<walls::Wall>>& walls,
+                           const Materials& materials, double range, std::vector<Attraction>& found);
 
 }  // namespace interphase::hard_sphere
