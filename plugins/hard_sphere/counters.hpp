@@ -26,10 +26,11 @@ constexpr Counter counters[counter_number] = {
      "put there so.",
      "more `passes` of fix tdhs, or a shorter solid step, if the bed sinks"},
     {"impulses_left_out", "impulses that a sphere could not take along", "", OverRanks::sum, 0,
-     "A sphere with some 200 loaded contacts, less where a law keeps a state of each, changed its rank or was saved: "
-     "LIGGGHTS's message has no room for more, and the impulses of the others start from nothing.",
+     "A sphere that had gained some 200 loaded contacts since spheres last changed ranks, less where a law keeps a "
+     "state of each, was saved in a checkpoint: there was no room for more, and the impulses of the others start from "
+     "nothing in a run that goes on from there.",
      "The contacts of that sphere carry their load again after some steps; until then what rests on it sags.",
-     "sizes less apart, or ranks laid out so that such spheres stay on one"},
+     "a checkpoint at another time"},
 };
 
 }  // namespace interphase::hard_sphere

@@ -109,7 +109,7 @@ void FixTdhs::restart(char* buffer)
 int FixTdhs::setmask()
 {
     using namespace LAMMPS_NS::FixConst;
-    return INITIAL_INTEGRATE | FINAL_INTEGRATE | PRE_NEIGHBOR;
+    return INITIAL_INTEGRATE | FINAL_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR;
 }
 
 void* FixTdhs::extract(const char* name, int& dimension)

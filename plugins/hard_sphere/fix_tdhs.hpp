@@ -50,6 +50,8 @@ public:
     void write_restart(FILE* file) override;
     void restart(char* buffer) override;
 
+    void setup_pre_exchange() override { pre_exchange(); }
+    void pre_exchange() override;
     void grow_arrays(int count) override;
     void copy_arrays(int from, int to, int) override;
     void set_arrays(int i) override;
@@ -151,6 +153,7 @@ private:
     Scalars push_;   ///< [atoms x 3]
     Scalars shift_;  ///< not yet in the positions [atoms x 3, m]
     ImpulseMemory memory_;
+    int room_ = 0;  ///< for what a sphere takes along, as LIGGGHTS was asked for at the last exchange [numbers]
 
     Bodies bodies_;
     CellGrid grid_;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What fix tdhs keeps of each particle, and what it tells the ranks that hold a particle as a ghost.
+#include <mpi.h>
+
 #include <algorithm>
 
 #include "atom.h"
@@ -14,6 +16,17 @@ namespace {
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
+
+/// LIGGGHTS packs a sphere without a look at the room that there is.
+void FixTdhs::pre_exchange()
+{
+    int most = 0;
+    for (int i = 0; i < atom->nlocal; ++i)
+        most = std::max(most, memory_.numbers(i));
+    MPI_Allreduce(&most, &room_, 1, MPI_INT, MPI_MAX, world);
+    room_ += numbers_in<ShiftMessage>;
+    comm->maxexchange_fix = std::max(comm->maxexchange_fix, room_);
+}
 
 void FixTdhs::grow_arrays(int count)
 {
@@ -39,8 +52,11 @@ int FixTdhs::pack_exchange(int i, double* buffer)
     ShiftMessage message;
     set(message.shift, to_vector(&shift_[at(3 * i)]));
     const int told = pack(message, buffer);
+    // A checkpoint packs between two exchanges, when there may be more contacts than at the last one; LIGGGHTS has
+    // `spare` numbers more than it was asked for, for all that packs.
+    constexpr int spare = 800;
     int left_out = 0;
-    const int remembered = memory_.pack(i, buffer + told, left_out);
+    const int remembered = memory_.pack(i, buffer + told, room_ - told + spare, left_out);
     counted_[impulses_left_out] += left_out;
     return told + remembered;
 }

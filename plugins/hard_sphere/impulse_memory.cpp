@@ -10,9 +10,6 @@ namespace interphase::hard_sphere {
 
 namespace {
 
-// LIGGGHTS's buffer has room for 1000 numbers more than it asks for. What is left out starts from nothing.
-constexpr int room = 800;
-
 /// An entry on its way to another rank, with what it has beside behind it. How many come stands before them.
 struct ImpulseMessage {
     double partner;
@@ -31,10 +28,18 @@ void ImpulseMemory::forget()
     numbers_.resize(more_);
 }
 
-int ImpulseMemory::pack(int particle, double* buffer, int& left_out) const
+int ImpulseMemory::numbers(int particle) const
+{
+    int count = 0;
+    for (int k = first(particle); k != 0; k = entries_[static_cast<std::size_t>(k)].next)
+        ++count;
+    return numbers_in<ImpulseCount> + count * (numbers_in<ImpulseMessage> + static_cast<int>(more_));
+}
+
+int ImpulseMemory::pack(int particle, double* buffer, int room, int& left_out) const
 {
     int told = numbers_in<ImpulseCount>, count = 0;
-    const int most = room / (numbers_in<ImpulseMessage> + static_cast<int>(more_));
+    const int most = (room - told) / (numbers_in<ImpulseMessage> + static_cast<int>(more_));
     int k = first(particle);
     for (; k != 0 && count < most; ++count) {
         const Remembered& entry = entries_[static_cast<std::size_t>(k)];

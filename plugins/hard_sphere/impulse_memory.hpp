@@ -63,9 +63,12 @@ public:
     void copy(int from, int to) { first_[static_cast<std::size_t>(to)] = first_[static_cast<std::size_t>(from)]; }
     void forget(int particle) { first_[static_cast<std::size_t>(particle)] = 0; }
 
-    /// As plain numbers; return how many were written or read.
-    int pack(int particle, double* buffer, int& left_out) const;  ///< `left_out`: entries for which there is no room
+    /// As plain numbers; return how many were written or read. `room`: how many may be written, at least 1; `left_out`:
+    /// entries for which that did not do.
+    int pack(int particle, double* buffer, int room, int& left_out) const;
     int unpack(int particle, const double* buffer);
+    /// How many pack() needs.
+    int numbers(int particle) const;
 
 private:
     std::size_t more_;
