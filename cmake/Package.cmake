@@ -4,7 +4,7 @@
 include(CMakePackageConfigHelpers)
 
 # The headers of a plug-in: <interphase/plugin.hpp>; and what that and plug-ins of this tree include by "plugin/...", "base/..." and,
-# of what plug-ins share, "contacts/...", "walls/...", "script/..." and "hard_sphere/...".
+# of what plug-ins share, "contacts/...", "walls/...", "script/...", "hard_sphere/..." and "mp_pic/...".
 # Links, so that whoever sees the coupler's folder, too, sees one file and not two.
 set(_root "${PROJECT_BINARY_DIR}/include/interphase")
 set(_headers plugin/plugin.hpp plugin/solid_stress.hpp plugin/wall_gaps.hpp plugin/method.hpp plugin/counter.hpp plugin/fingerprint.hpp base/vector.hpp base/text.hpp base/problem.hpp base/exit_code.hpp)
@@ -14,7 +14,8 @@ set(_shared_headers contacts/fix_contacts.hpp contacts/fix_contacts_with_memory.
     hard_sphere/contact_batch.hpp hard_sphere/contact_solver.hpp hard_sphere/cost.hpp hard_sphere/counters.hpp hard_sphere/effort.hpp hard_sphere/fix_tdhs.hpp
     hard_sphere/fix_tdhs_of.hpp hard_sphere/fix_wall_tdhs.hpp hard_sphere/impact.hpp hard_sphere/impulse_memory.hpp
     hard_sphere/lane_numbers.hpp hard_sphere/messages.hpp hard_sphere/lanes.hpp hard_sphere/law.hpp hard_sphere/law_check.hpp hard_sphere/law_functions.hpp hard_sphere/law_of.hpp hard_sphere/material.hpp
-    hard_sphere/pair_search.hpp hard_sphere/processor.hpp hard_sphere/response.hpp hard_sphere/step_limits.hpp hard_sphere/sweep.hpp)
+    hard_sphere/pair_search.hpp hard_sphere/processor.hpp hard_sphere/response.hpp hard_sphere/step_limits.hpp hard_sphere/sweep.hpp
+    mp_pic/any_stress.hpp mp_pic/counters.hpp mp_pic/fix_mp_pic.hpp mp_pic/fix_mp_pic_of.hpp mp_pic/fix_wall_mp_pic.hpp mp_pic/stress.hpp mp_pic/wall_bounce.hpp)
 function(_lay_out root)
     foreach(_header IN LISTS ARGN)
         get_filename_component(_folder "${_header}" DIRECTORY)

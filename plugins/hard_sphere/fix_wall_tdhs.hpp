@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
-
 #include "walls/fix_wall.hpp"
 
 namespace interphase::hard_sphere {
@@ -12,10 +10,7 @@ namespace interphase::hard_sphere {
 class FixWallTdhs : public walls::FixWall {
 public:
     using FixWall::FixWall;
-    void init() override;
-
-    /// `style`: of the fix that asks.
-    bool is_heeded_by(const std::string& style) const;
+    void init() override { demand_heeding_fix(", or use wall/gran with a pair_style"); }
 };
 
 }  // namespace interphase::hard_sphere

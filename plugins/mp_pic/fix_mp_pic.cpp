@@ -12,7 +12,6 @@
 #include "base/problem.hpp"
 #include "base/text.hpp"
 #include "comm.h"
-#include "error.h"
 #include "modify.h"
 #include "mp_pic/fix_wall_mp_pic.hpp"
 #include "mp_pic/velocity_limiter.hpp"
@@ -34,9 +33,11 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-FixMpPic::FixMpPic(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, arg)
+FixMpPic::FixMpPic(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg, const std::vector<AnyStress>& stresses,
+                   const std::vector<std::string>& usual)
+    : Fix(lmp, narg, arg)
 {
-    if (!atom->sphere_flag) error->all(FLERR, "Fix mp_pic: the particles are no spheres; use atom_style granular");
+    if (!atom->sphere_flag) complain("the particles are no spheres; use atom_style granular");
     time_integrate = 1;
     create_attribute = 1;
     restart_global = 1;
@@ -44,7 +45,7 @@ FixMpPic::FixMpPic(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg
     size_vector = static_cast<int>(sums_.size());
     global_freq = 1;
     extvector = 1;
-    read_arguments(narg, arg);
+    read_arguments({arg + 3, arg + narg}, stresses, usual);
     script::name_values(*lmp, *this, sum_names);
     grow_arrays(atom->nmax);
     atom->add_callback(grow_callback);
@@ -76,7 +77,7 @@ void* FixMpPic::extract(const char* name, int& dimension)
     static int yes = 1;
     if (std::strcmp(name, extract_takes_new_forces) == 0) return &yes;
     if (std::strcmp(name, extract_counters) == 0) return &counted_;
-    if (has_stress_ && std::strcmp(name, extract_solid_stress) == 0) return static_cast<SolidStress*>(this);
+    if (stress_ && std::strcmp(name, extract_solid_stress) == 0) return static_cast<SolidStress*>(this);
     return nullptr;
 }
 
@@ -91,10 +92,11 @@ void FixMpPic::setup(int)
 {
     walls_.clear();
     for (int k = 0; k < modify->nfix; ++k)
-        if (auto* fix = dynamic_cast<FixWallMpPic*>(modify->fix[k])) walls_.add(*fix);
+        if (auto* fix = dynamic_cast<FixWallMpPic*>(modify->fix[k]); fix && fix->is_heeded_by(style))
+            walls_.add(*fix);
     for (const auto& wall : walls_.all())
         if (wall->type() < 0 || wall->type() >= atom->ntypes)
-            error->all(FLERR, "Fix mp_pic: a wall has a type that the simulation box does not know");
+            complain("a wall has a type that the simulation box does not know");
     follow_walls();
 }
 
@@ -114,16 +116,9 @@ void FixMpPic::follow_walls()
     const std::string what =
         way > off ? "moves by " + text(way) + " m in a step of " + text(update->dt) + " s"
                   : "is " + text(off) + " m from where its last velocity would have brought it in a step";
-    error->all(FLERR,
-               ("Fix mp_pic: a wall " + what + ", more than half the radius of the smallest parcel, " + text(smallest) +
-                " m, and may pass through it. Give a shorter step (solidStep), or a wall that is "
-                "slower or sets out slowly")
-                   .c_str());
-}
-
-double FixMpPic::stress(double solid_fraction) const
-{
-    return std::visit([&](const auto& law) { return law.stress(solid_fraction); }, law_);
+    complain(
+        "a wall " + what + ", more than half the radius of the smallest parcel, " + text(smallest) +
+        " m, and may pass through it. Give a shorter step (solidStep), or a wall that is slower or sets out slowly");
 }
 
 StepTooLong FixMpPic::begin(double gas_step)
@@ -154,7 +149,7 @@ void FixMpPic::complain_of_step(int particle, double gas_step, double longest)
     complaint_ = Problem{"particle " + std::to_string(atom->tag[particle]) + " moves at " + told(atom->v[particle]) +
                              " m/s and would cross more than " + text(courant_) + " of its gas cell in a gas step of " +
                              text(gas_step) + " s",
-                         "at " + told(atom->x[particle]) + " (fix " + id + " mp_pic)",
+                         "at " + told(atom->x[particle]) + " (fix " + id + " " + style + ")",
                          "give a gas step below " + text(longest) +
                              " s (deltaT in system/controlDict), or `too_fast count` in the script"}
                      .message();
@@ -162,16 +157,15 @@ void FixMpPic::complain_of_step(int particle, double gas_step, double longest)
 
 void FixMpPic::initial_integrate(int)
 {
-    if (has_stress_ && !arrived_)
-        error->all(
-            FLERR,
-            "Fix mp_pic: no solid stress has arrived. It comes from the gas mesh: run the case through `interphase` "
+    if (stress_ && !arrived_)
+        complain(
+            "no solid stress has arrived. It comes from the gas mesh: run the case through `interphase` "
             "with a gas, or give `stress off` for particles that do not feel each other");
     const double half = 0.5 * update->dt;
     for (int i = 0; i < atom->nlocal; ++i) {
         if (!(atom->mask[i] & groupbit)) continue;
         kick(i, half);
-        if (has_stress_) {
+        if (stress_) {
             const Vector given = atom->rmass[i] * take_stress(i);
             for (int axis = 0; axis < 3; ++axis)
                 sums_[at(by_stress + axis)] += given[axis];

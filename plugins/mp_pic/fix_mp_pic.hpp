@@ -5,11 +5,10 @@
 #include <cstdio>
 #include <memory>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "fix.h"
-#include "mp_pic/stress_law.hpp"
+#include "mp_pic/any_stress.hpp"
 #include "mp_pic/wall_bounce.hpp"
 #include "plugin/counter.hpp"
 #include "plugin/solid_stress.hpp"
@@ -17,18 +16,20 @@
 
 namespace interphase::mp_pic {
 
-/// The LIGGGHTS fix style `mp_pic`: moves the particles of its group without rotation and without collisions among each
-/// other. In their place the stress of the solids on the gas mesh, which the coupler brings, guides the velocity; off
-/// walls (fixes `wall/mp_pic`) particles bounce. What the script may say stands in the folder's README.
+/// The LIGGGHTS fix styles `mp_pic` and `mp_pic/NAME` (fix_mp_pic_of.hpp makes one of a stress): moves the particles of
+/// its group without rotation and without collisions among each other. In their place the stress of the solids on the
+/// gas mesh, which the coupler brings, guides the velocity; off walls (fixes `wall/mp_pic[/NAME]`) particles bounce.
+/// What the script may say stands in the folder's README.
 ///
 /// A step is that of LIGGGHTS's own integrators (velocity Verlet: half a kick, a drift, the forces, half a kick), with
 /// the stress's change of velocity before the drift. So it is no part of the forces, and the gas, which answers for
 /// these (FluidForce), does not take it for another's.
 class FixMpPic : public LAMMPS_NS::Fix, public SolidStress {
 public:
-    static constexpr const char* style_name = "mp_pic";
-
-    FixMpPic(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+    /// `stresses`: those that the script may choose from; `usual`: its words behind `stress` where it chooses none.
+    /// Where these are none either, it has to choose.
+    FixMpPic(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg, const std::vector<AnyStress>& stresses,
+             const std::vector<std::string>& usual = {});
     ~FixMpPic() override;
 
     int setmask() override;
@@ -52,7 +53,7 @@ public:
     /// What `thermo_style custom v_ID_NAME` or f_ID[k] shows; see the README. Collective.
     double compute_vector(int k) override;
 
-    double stress(double solid_fraction) const override;
+    double stress(double solid_fraction) const override { return stress_(solid_fraction); }
     double close_packing() const override { return close_packing_; }
     bool refuses_overfilled_start() const override { return refuses_overfilled_; }
     StressState* states() override { return states_.data(); }
@@ -60,7 +61,12 @@ public:
     const char* complaint() const override { return complaint_.empty() ? nullptr : complaint_.c_str(); }
 
 private:
-    void read_arguments(int narg, char** arg);
+    /// Ends the run; the message begins with the style. Collective.
+    void complain(const std::string& what) const;
+    void read_arguments(const std::vector<std::string>& words, const std::vector<AnyStress>& stresses,
+                        const std::vector<std::string>& usual);
+    void warn_of_unpublished(const AnyStress& stress, const std::vector<double>& values) const;
+    void check_stress(const AnyStress& stress, const std::string& table) const;
     void refuse_company() const;
     void read_restitution();
     void kick(int i, double dt);
@@ -70,8 +76,7 @@ private:
     void complain_of_step(int particle, double gas_step, double longest);
 
     // what the script says
-    bool has_stress_ = true;
-    std::variant<HarrisCrighton, Lun> law_ = HarrisCrighton{100, 3, 0};
+    StressFunction stress_;  ///< none: they do not feel each other
     double close_packing_ = 0.6;
     bool refuses_overfilled_ = true;
     bool refuses_long_steps_ = false;

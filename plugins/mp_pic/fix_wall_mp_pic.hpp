@@ -5,13 +5,12 @@
 
 namespace interphase::mp_pic {
 
-/// The LIGGGHTS fix style `wall/mp_pic`: walls for fix mp_pic, named as those of `wall/gran`.
+/// The LIGGGHTS fix style `wall/mp_pic`, or `wall/mp_pic/NAME`: walls for the fix `mp_pic` or `mp_pic/NAME`, named as
+/// those of `wall/gran`.
 class FixWallMpPic : public walls::FixWall {
 public:
-    static constexpr const char* style_name = "wall/mp_pic";
-
     using FixWall::FixWall;
-    void init() override;
+    void init() override { demand_heeding_fix(); }
 };
 
 }  // namespace interphase::mp_pic

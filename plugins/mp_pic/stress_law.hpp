@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "mp_pic/stress.hpp"
+
 namespace interphase::mp_pic {
 
-/// Solids' stress as a function of the solid fraction, both laws without direction (a pressure). SI units.
+/// The stresses that fix mp_pic knows, as stress.hpp has them.
 
 /// Harris and Crighton, J. Fluid Mech. 266 (1994) 243, as Snider, J. Comput. Phys. 170 (2001) 523, made it safe beyond
 /// close packing; eq. 8 of the paper:
@@ -13,13 +15,12 @@ struct HarrisCrighton {
     double pressure;       ///< P_s [Pa]
     double exponent;       ///< xi
     double close_packing;  ///< phi_cp
+    static constexpr StressNumber numbers[] = {{"P_s", "Pa", above_zero, unbounded, 1, 100},
+                                               {"xi", "", above_zero, unbounded, 2, 5}};
 
     /// [Pa] at a solid fraction of 0 to 1; at most that of phi = 1 - alpha, so that it is finite everywhere.
     double stress(double solid_fraction) const;
 };
-
-/// Published range of HarrisCrighton::exponent.
-constexpr double exponent_min = 2, exponent_max = 5;
 
 /// Lun, Savage, Jeffrey and Chepurniy, J. Fluid Mech. 140 (1984) 223, the kinetic and collisional pressure:
 ///     tau = rho_p phi Theta (1 + 2 (1 + e) phi g0)
@@ -31,6 +32,9 @@ struct Lun {
     double temperature;    ///< granular, Theta [m2/s2]
     double restitution;    ///< e, 0 to 1
     double close_packing;  ///< phi_cp
+    static constexpr StressNumber numbers[] = {{"density", "kg/m3", above_zero, unbounded},
+                                               {"temperature", "m2/s2", above_zero, unbounded},
+                                               {"restitution", "", 0, 1}};
 
     double stress(double solid_fraction) const;  ///< [Pa]
 };

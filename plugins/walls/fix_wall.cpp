@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 
 #include "atom.h"
 #include "error.h"
@@ -44,6 +45,13 @@ FixWall::FixWall(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, 
 void FixWall::complain(const std::string& what) const
 {
     error->all(FLERR, ("Fix " + std::string(id) + " " + style + ": " + what).c_str());
+}
+
+void FixWall::demand_heeding_fix(const std::string& otherwise) const
+{
+    const std::string heeding = style + std::strlen("wall/");
+    if (!modify->find_fix_style_strict(heeding.c_str(), 0))
+        complain("there is no fix " + heeding + " that heeds this wall; add `fix ID all " + heeding + "`" + otherwise);
 }
 
 double FixWall::number(const char* word) const

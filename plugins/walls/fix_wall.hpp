@@ -47,7 +47,13 @@ public:
     /// That they gave it an impulse [kg m/s] in one step. `element`: as WallPoint has it; `point`: where [m].
     void push(int n, int element, const Vector& point, const Vector& impulse);
 
+    /// Whether it is for the fixes of that style: it is `wall/STYLE`.
+    bool is_heeded_by(const std::string& asking) const { return style == "wall/" + asking; }
+
 protected:
+    /// Ends the run where the script has no fix of the style that the wall is for. `otherwise`: a remedy beside that of
+    /// adding it. Collective.
+    void demand_heeding_fix(const std::string& otherwise = "") const;
     /// Ends the run. Collective.
     void complain(const std::string& what) const;
 

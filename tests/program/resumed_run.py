@@ -79,16 +79,16 @@ class ResumedRun(ResumedScene):
         self.set_entry(folder, "system/controlDict", "endTime", self.end)
         return self.run_case(folder, ranks, options=["-resume"])
 
-    def check_plugin(self, plugins, replaced, ranks):
-        """Compares a bed of the plug-ins' own fixes: those of the case's hard spheres with texts `replaced` {before: after}, each of them there."""
-        case = self.bed("PLUGIN")
-        text = support.read(os.path.join(case, "dem/hard_spheres.liggghts"))
+    def check_plugin(self, plugins, replaced, ranks, method="PLUGIN"):
+        """Compares a bed of the plug-ins' own fixes: those of the method (PLUGIN: of the case's hard spheres) with texts `replaced` {before: after}, each of them there."""
+        case = self.bed(method)
+        text = support.read(os.path.join(case, "dem", f"{'hard_spheres' if method == 'PLUGIN' else method}.liggghts"))
         for before, after in replaced.items():
             self.assertIn(before, text)
             text = text.replace(before, after)
-        support.write(os.path.join(case, "dem/PLUGIN.liggghts"), text)
+        support.write(os.path.join(case, "dem", f"{method}.liggghts"), text)
         self.edit(case, "system/couplingDict", r"^plugins .*$", f"plugins ({plugins});")
-        self.compare(*self.copies(case, "PLUGIN", ranks), ranks)
+        self.compare(*self.copies(case, method, ranks), ranks)
 
     def check(self, method, ranks=1):
         self.compare(*self.ready(method, ranks), ranks)

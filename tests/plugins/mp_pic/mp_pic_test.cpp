@@ -2,9 +2,11 @@
 // The pure functions of MP-PIC: stress laws against values by hand, the limiter's promises, bounces off walls.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
+#include "mp_pic/stress_check.hpp"
 #include "mp_pic/stress_law.hpp"
 #include "mp_pic/velocity_limiter.hpp"
 #include "mp_pic/wall_bounce.hpp"
@@ -47,6 +49,43 @@ TEST(Lun, HasTheDiluteLimitOfAnIdealGasAndTheContactTermOfTheDense)
     const double g0 = std::pow(1 - 0.4 / 0.63, -2.5 * 0.63);
     EXPECT_NEAR(law.stress(0.4), 1000 * 0.4 * 0.01 * (1 + 2 * 1.9 * 0.4 * g0), 1e-12);
     EXPECT_TRUE(std::isfinite(law.stress(0.8)));
+}
+
+TEST(AnyStress, HasTheNumbersInTheirOrder)
+{
+    const AnyStress lun = any_stress<Lun>("lun");
+    ASSERT_EQ(lun.numbers.size(), 3U);
+    const StressFunction stress = lun.of({1000, 0.01, 0.9, 0.63});
+    EXPECT_EQ(stress(0.4), (Lun{1000, 0.01, 0.9, 0.63}.stress(0.4)));
+}
+
+TEST(StressCheck, LooksAtClosePackingAndBothEnds)
+{
+    const std::vector<double> phi = looked_at(0.61234567);
+    EXPECT_EQ(phi.front(), 0);
+    EXPECT_EQ(phi.back(), 1);
+    EXPECT_TRUE(std::binary_search(phi.begin(), phi.end(), 0.61234567));
+    EXPECT_TRUE(std::is_sorted(phi.begin(), phi.end()));
+}
+
+TEST(StressCheck, PassesWhatIsPublished)
+{
+    for (const double packing : {0.3, 0.6, 0.61234567, 0.74, 0.99}) {
+        for (const double exponent : {2.0, 3.0, 5.0})
+            EXPECT_EQ(complaint_of(
+                          [=](double phi) {
+                              return HarrisCrighton{100, exponent, packing}.stress(phi);
+                          },
+                          looked_at(packing)),
+                      "");
+        EXPECT_EQ(complaint_of(
+                      [=](double phi) {
+                          return Lun{2500, 0.1, 0.9, packing}.stress(phi);
+                      },
+                      looked_at(packing)),
+                  "");
+    }
+    EXPECT_EQ(complaint_of([](double) { return 0.0; }, looked_at(0.6)), "");
 }
 
 TEST(Limiter, GivesTheWholeStressWhereItIsSmall)

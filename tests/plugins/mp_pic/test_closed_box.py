@@ -12,47 +12,10 @@ import numpy
 import boxes
 import measured
 import support
-
-SIZE, CELLS = (0.04, 0.04, 0.08), (4, 4, 8)
-DIAMETER, DENSITY = 2e-3, 1000.0
-MASS = DENSITY * numpy.pi / 6 * DIAMETER**3
-THIN = (1e-30, 1e-30)  # a fluid that nobody feels
-FROZEN = "model frozen; coupling oneWay;"
-SUMS = ('variable s1 equal "f_move[1]"\nvariable s2 equal "f_move[2]"\nvariable s3 equal "f_move[3]"\nvariable w1 equal "f_move[4]"\n'
-        'variable w2 equal "f_move[5]"\nvariable w3 equal "f_move[6]"\n'
-        'fix sums all print 1 "${s1} ${s2} ${s3} ${w1} ${w2} ${w3}" file dem/sums screen no\n')  # fmt: skip
+from closed_box import CELLS, DENSITY, DIAMETER, FROZEN, MASS, SIZE, SUMS, THIN, BoxTest, crowd, heaped
 
 
-def crowd(seed=1, speed=0.2, counts=(12, 12, 24)):
-    draw = numpy.random.default_rng(seed)
-    position = boxes.lattice(SIZE, counts)
-    return position, draw.normal(scale=speed, size=position.shape)
-
-
-def heaped(seed=2):
-    """Denser below than above, anywhere."""
-    draw = numpy.random.default_rng(seed)
-    place = draw.uniform(0.001, 1, (5000, 3)) * (numpy.array(SIZE) - 2.1e-3) + 1.05e-3
-    place[:, 2] = 1.05e-3 + (place[:, 2] - 1.05e-3) * draw.uniform(0.3, 1, 5000)
-    return place, draw.normal(scale=0.3, size=place.shape)
-
-
-class ClosedBox(support.ProgramTest):
-    def run_box(self, name, ranks=1, **how):
-        position, velocity = how.pop("parcels")
-        box = boxes.Box(SIZE, CELLS, how.pop("diameter", DIAMETER), DENSITY, position, velocity, **how)
-        return self.run_case(box.write(os.path.join(self.root, name), ranks), ranks)
-
-    @staticmethod
-    def sums(done):
-        """(by the stress, by walls) after the last step [kg m/s]."""
-        last = support.read(done.path("dem", "sums")).strip().splitlines()[-1]
-        return numpy.split(numpy.array([float(word) for word in last.split()]), 2)
-
-    @staticmethod
-    def momentum(snapshot):
-        return MASS * snapshot["velocity"].sum(axis=0)
-
+class ClosedBox(BoxTest):
     def test_no_force_where_the_bed_is_uniform(self):
         """27 parcels in every cell, each in its own: the gradient is 0 to round-off, whatever velocities they have."""
         parcels = crowd()
@@ -140,43 +103,34 @@ class ClosedBox(support.ProgramTest):
                            abs(numpy.divide(means[ranks], means[1]) - 1).max(), 1e-6, "", "one rank")
 
 
-class BadInput(support.ProgramTest):
-    def ended(self, expected, good=False, **how):
-        position, velocity = how.pop("parcels", crowd(speed=0.05, counts=(4, 4, 8)))
-        box = boxes.Box(SIZE, CELLS, how.pop("diameter", DIAMETER), DENSITY, position, velocity, end=2e-3, gas=how.pop("gas", FROZEN), **how)
-        done = support.execute(box.write(os.path.join(self.root, f"box{len(os.listdir(self.root))}")))
-        self.assertEqual(done.code == 0, good, done.text[-3000:])
-        log = done.path("dem", "log.liggghts")
-        done.told = " ".join((done.text + (support.read(log) if os.path.exists(log) else "")).split())
-        self.assertRegex(done.told, expected)
-        return done
-
+class BadInput(BoxTest):
     def test_words_of_the_fix(self):
         for words, expected in (
             ("close_packing 1", "close_packing 1: give a solid fraction between 0 and 1"),
             ("close_packing 0", "close_packing 0: give a solid fraction"),
             ("close_packing -0.6", "close_packing -0.6: give"),
-            ("stress harris_crighton 0 3", "P_s 0: give P_s above 0, in Pa"),
+            ("stress harris_crighton 0 3", r"P_s 0: give a number above 0, in Pa \(1 to 100 are published\)"),
             ("stress harris_crighton -10 3", "P_s -10: give"),
-            ("stress harris_crighton 10 0", "xi 0: give an exponent above 0"),
+            ("stress harris_crighton 10 0", r"xi 0: give a number above 0 \(2 to 5 are published\)"),
             ("stress harris_crighton ten 3", "P_s ten': no number"),
-            ("stress harris_crighton 10", "needs a value"),
-            ("stress hooke", "stress hooke: give harris_crighton P_s xi, lun .* or off"),
+            ("stress harris_crighton 10", "'stress harris_crighton xi' needs a value"),
+            ("stress harris_crighton 1e308 3", r"stress harris_crighton is inf Pa at a solid fraction of 0\.\d+; it must be a finite number"),
+            ("stress hooke", "stress hooke: give harris_crighton P_s xi, lun density temperature restitution, or off"),
             ("stress lun 1000 0.01 1.5", "restitution 1.5: give 0 to 1"),
             ("courant 0", "courant 0: give"),
             ("too_fast no", "too_fast no: give stop or count"),
+            ("table nowhere/table", "table nowhere/table: this file cannot be written; give one in a folder that is there"),
             ("packing 0.6", "unknown word 'packing'; known: stress, close_packing"),
         ):
             with self.subTest(words):
                 self.ended(expected, integrator=f"fix move all mp_pic {words}\n")
 
-    def test_exponents_beyond_what_is_published(self):
-        """... run, with a warning in LIGGGHTS's log; those within 2 to 5, both ends included, without."""
-        for exponent in ("1.9", "5.1", "12"):
-            with self.subTest(exponent):
-                self.ended(rf"WARNING: Fix mp_pic: the exponent of the stress is {exponent}[.0]*, outside the published range of 2 to 5",
-                           good=True, integrator=f"fix move all mp_pic stress harris_crighton 10 {exponent}\n")  # fmt: skip
-        for words in ("stress harris_crighton 10 2", "stress harris_crighton 10 5", "stress lun 1000 0.01 0.9", "stress off", ""):
+    def test_numbers_beyond_what_is_published(self):
+        """... run, with a warning in LIGGGHTS's log; those within the range, both ends included, without."""
+        for words, number, value, published in (("10 1.9", "xi", "1.9", "2 to 5"), ("10 12", "xi", "12", "2 to 5"), ("0.5 3", "P_s", "0.5", "1 to 100")):
+            with self.subTest(words):
+                self.ended(f"WARNING: Fix mp_pic: {number} of the stress harris_crighton is {value}, outside the published range of {published}", good=True, integrator=f"fix move all mp_pic stress harris_crighton {words}\n")  # fmt: skip
+        for words in ("stress harris_crighton 1 2", "stress harris_crighton 100 5", "stress lun 1000 0.01 0.9", "stress off", ""):
             with self.subTest(words):
                 done = self.ended("Reached t = 0.002 s", good=True, integrator=f"fix move all mp_pic {words}\n")
                 self.assertIn("fix move all mp_pic", done.told)  # the log is there
