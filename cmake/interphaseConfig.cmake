@@ -3,7 +3,8 @@
 find_package(interphase), for plug-ins outside its tree: from an installation (CMAKE_PREFIX_PATH) or a build folder
 (-Dinterphase_DIR=<interphase>/build/release). Makes interphase_add_plugin (InterphasePlugin.cmake), the programs
 interphase::interphase and interphase::interphase-liggghts, interphase::contacts, which finds contacts for a law of one's own
-(<interphase/contacts/fix_contacts.hpp>), and interphase::plugin: the header <interphase/plugin.hpp>, what of the
+(<interphase/contacts/fix_contacts.hpp>), interphase::hard_sphere and interphase::mp_pic, of which laws of impacts and stresses of the solids are made
+(<interphase/hard_sphere/fix_tdhs_of.hpp>, <interphase/mp_pic/fix_mp_pic_of.hpp>), and interphase::plugin: the header <interphase/plugin.hpp>, what of the
 coupler's folder base the plug-ins of interphase's own tree use (<interphase/base/text.hpp>, <interphase/base/vector.hpp>), and the
 LIGGGHTS, MPI and Eigen that these need.
 ]]

@@ -92,8 +92,7 @@ void FixMpPic::setup(int)
 {
     walls_.clear();
     for (int k = 0; k < modify->nfix; ++k)
-        if (auto* fix = dynamic_cast<FixWallMpPic*>(modify->fix[k]); fix && fix->is_heeded_by(style))
-            walls_.add(*fix);
+        if (auto* fix = dynamic_cast<FixWallMpPic*>(modify->fix[k]); fix && fix->is_heeded_by(style)) walls_.add(*fix);
     for (const auto& wall : walls_.all())
         if (wall->type() < 0 || wall->type() >= atom->ntypes)
             complain("a wall has a type that the simulation box does not know");

@@ -154,7 +154,10 @@ void FixMpPic::read_arguments(const std::vector<std::string>& given, const std::
             words.fail("the script does not give the stress; add `stress " + words_of(stresses.front()) + "`");
         chosen = otherwise.stress(stresses, values);
     }
-    if (!chosen) return;
+    if (!chosen) {
+        if (!table.empty()) words.fail("table " + table + ": with `stress off` there is no stress to write");
+        return;
+    }
     warn_of_unpublished(*chosen, values);
     values.push_back(close_packing_);
     stress_ = chosen->of(values);

@@ -43,7 +43,8 @@ std::vector<double> looked_at(double close_packing)
     std::vector<double> all;
     for (int k = 0; k <= parts; ++k)
         all.push_back(static_cast<double>(k) / parts);
-    all.insert(std::upper_bound(all.begin(), all.end(), close_packing), close_packing);
+    if (!std::binary_search(all.begin(), all.end(), close_packing))
+        all.insert(std::upper_bound(all.begin(), all.end(), close_packing), close_packing);
     return all;
 }
 

@@ -44,6 +44,10 @@ class Refusals(Bench):
                 self.assertIn(f"the name '{name}' will not do: give lower-case letters", self.refused(name, "folder"))
         self.assertIn("my_install", self.refused("install", "folder"))
         self.assertIn("would be TDHS, which there is already", self.refused("tdhs", "folder"))
+        self.assertIn("has a plug-in of that name", self.refused("mp_pic", "folder", "--stress"))
+        for name in ("lun", "off"):
+            self.assertIn(f"fix mp_pic knows `stress {name}` already", self.refused(name, "folder", "--stress"))
+        self.assertIn("not allowed with argument", self.refused("bouncy", "folder", "--stress", "--law"))
         self.assertEqual(os.listdir(self.root), [])
 
     def test_a_folder_with_something_in_it(self):
@@ -129,6 +133,32 @@ class WholePath(Bench):
         self.assertIn("tdhs/hard_ball", run.meta["plugins"])
         self.assertEqual(run.series["particles"].values[-1], run.meta["particles"], "no sphere was lost")
         self.assertLess(abs(run.ledger["momentum_residual"].values).max(), 1e-12)
+
+        prefix = os.path.join(self.root, "prefix")
+        self.succeed("cmake", "--install", BUILD, "--prefix", prefix)
+        shutil.rmtree(build)
+        self.succeed("ctest", "--test-dir", self.configured(plugin, f"-DCMAKE_PREFIX_PATH={prefix}"), "--output-on-failure", "--no-tests=error")
+
+    def test_a_stress(self):
+        """With the build folder, and with an installation; the plot; the bed on two ranks, whose method is mp_pic's."""
+        self.succeed(TOOL, "rubbing", "--stress")
+        plugin = os.path.join(self.root, "rubbing")
+        self.assertEqual(sorted(os.listdir(plugin)), ["CMakeLists.txt", "README.md", "case", "rubbing.cpp", "test"])
+        build = self.configured(plugin, f"-Dinterphase_DIR={BUILD}")
+        self.succeed("ctest", "--test-dir", build, "--output-on-failure", "--no-tests=error")
+        self.succeed("/usr/bin/python3", os.path.join(plugin, "test", "plot.py"), RUNNER=os.path.join(BUILD, "interphase-liggghts"))
+        self.assertTrue(os.path.isfile(os.path.join(plugin, "stress.png")))
+
+        out = os.path.join(self.root, "out")
+        self.succeed(os.path.join(TOOLS, "run"), os.path.join(plugin, "case"), "--ranks", "2", "--out", out, "--no-picture",
+                     INTERPHASE_BIN=os.path.join(BUILD, "interphase"))  # fmt: skip
+        run = Run(out)
+        self.assertIn("mp_pic/rubbing", run.meta["plugins"])
+        self.assertEqual(run.meta["method"], "MPPIC")
+        self.assertEqual(run.series["particles"].values[-1], run.meta["particles"], "no parcel was lost")
+        self.assertLess(abs(run.ledger["momentum_residual"].values).max(), 1e-12)
+        self.assertGreater(1 - run.series["lowest_voidage"].values[-1], 0.5, "it lies so close that the stress holds it")
+        self.assertEqual(run.ledger["cells_beyond_close_packing"].values[-1], 0)
 
         prefix = os.path.join(self.root, "prefix")
         self.succeed("cmake", "--install", BUILD, "--prefix", prefix)

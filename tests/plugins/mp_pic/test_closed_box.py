@@ -120,6 +120,7 @@ class BadInput(BoxTest):
             ("courant 0", "courant 0: give"),
             ("too_fast no", "too_fast no: give stop or count"),
             ("table nowhere/table", "table nowhere/table: this file cannot be written; give one in a folder that is there"),
+            ("stress off table there", "table there: with `stress off` there is no stress to write"),
             ("packing 0.6", "unknown word 'packing'; known: stress, close_packing"),
         ):
             with self.subTest(words):
