@@ -19,10 +19,10 @@ import discharge as run  # noqa: E402
 
 
 
-def spheres(axes, run, rows, layers):
+def spheres(axes, run, rows, layers, depth):
     """Those in the front half, drawn from behind."""
     d = run.DIAMETER
-    shown = rows[rows[:, 2] < 0.5 * run.DEPTH]
+    shown = rows[rows[:, 2] < 0.5 * depth]
     shown = shown[numpy.argsort(-shown[:, 2])]
     axes.add_collection(EllipseCollection(
         numpy.full(len(shown), d), numpy.full(len(shown), d), numpy.zeros(len(shown)), units="xy",
@@ -55,7 +55,7 @@ def main():
         start = round(run.FILL / run.SNAPSHOT)
         for column, frame in enumerate((start + 1, start + 3, start + 11)):
             axes = figure.add_subplot(grid[row, column])
-            spheres(axes, run, frames[frame][1], layers)
+            spheres(axes, run, frames[frame][1], layers, run.scene_of(folder)["depth"])
             axes.set_title(f"{name}, {frame * run.SNAPSHOT - run.FILL:.2f} s", fontsize=9)
     curves.set(xlabel="time since the opening [s]", ylabel="discharged [g]", xlim=(0, None), ylim=(0, None))
     curves.legend(frameon=False)
