@@ -196,7 +196,7 @@ class Drum(support.ProgramTest):
         """What LIGGGHTS sums up of the contacts with the drum is the moment of the weight and what the angular momentum grows by, on 1 and 2 ranks."""
         for ranks in (1, 2):
             with self.subTest(ranks=ranks):
-                done, p = self.turned("DEM", ranks, until=0.2, recordInterval=1e-3)
+                done, p = self.turned("DEM", ranks, until=0.125, recordInterval=1e-3)  # 3,000 solid steps, 30 rows of dem/torque
                 self.assertEqual(done.err.count("the gas does not feel it"), 1)
                 self.assertEqual(done.err.count("warning"), 1, done.err)
                 snapshots = done.snapshots()
@@ -205,19 +205,32 @@ class Drum(support.ProgramTest):
                 expected = numpy.trapz(moment, time) + momentum[-1] - momentum[0]
                 step, torque = numpy.loadtxt(done.path("dem/torque"), unpack=True)  # each the mean of the steps since the one before
                 found = (torque * numpy.diff(step, prepend=0)).sum() * done.meta["solid_step"]
-                # LIGGGHTS lets a force act on the drum where the surfaces' middle is, on the sphere at its own radius: an overlap, 0.2 % of d here at rest;
-                # and the gas, 0.1 % of the solids' mass, turns with the drum
-                measured.within(self, f"drum, DEM, {ranks} rank{'s' * (ranks > 1)}: impulse of LIGGGHTS's torque on the drum in 0.2 s", found, expected,
-                                0.005 * expected, "N m s", "moment of the weight, angular momentum")
+                # LIGGGHTS's forces act on the drum where the surfaces' middle is, on the sphere at its own radius, off by part of an overlap (below 1 % of d);
+                # the gas, of 0.1 % of the solids' mass, pushes too. 0.04 % were seen.
+                self.assertAlmostEqual(found, expected, delta=0.005 * expected)
                 self.assertGreater(moment[-1], 0)  # the bed is taken up
+                table = support.tool(os.path.join(support.SOURCE, "cases", "drum", "compare"), done.folder, "--from", 0.06)
+                self.assertEqual(table.returncode, 0, table.stderr)
+                late = time > 0.06 - 1e-9
+                mean = moment[late].mean() + (momentum[-1] - momentum[late][0]) / (time[-1] - 0.06)
+                torque = float(re.search(r" DEM +1 +0 +(\S+) \+-", table.stdout)[1])
+                self.assertAlmostEqual(torque, 1e3 * mean, delta=0.006)  # two decimals are printed
 
     def test_hard_spheres_lean_as_soft_ones(self):
-        moment = {}
-        for method, resistance in (("DEM", 0), ("TDHS", 0), ("DEM", 0.2), ("TDHS", 0.2)):
-            with self.subTest(method, resistance=resistance):
-                done, p = self.turned(method, until=0.3, recordInterval=0.02, rollingFriction=resistance)
-                moment[method, resistance] = numpy.mean([self.moment(p, each)[0] for time, each in done.snapshots().items() if time > 0.2])
-        print("moment of the weight from 0.2 to 0.3 s [mN m]:", {key: f"{1e3 * each:.3g}" for key, each in moment.items()})
+        """With and without rolling resistance, by which spheres spin less."""
+        moment, spin = {}, {}
+        for resistance in (0, 0.2):
+            for method in ("DEM", "TDHS"):
+                with self.subTest(method, resistance=resistance):
+                    done, p = self.turned(method, until=0.3, recordInterval=0.02, rollingFriction=resistance)
+                    late = [each for time, each in done.snapshots().items() if time > 0.2]
+                    moment[method, resistance] = numpy.mean([self.moment(p, each)[0] for each in late])
+                    spin[method, resistance] = numpy.sqrt(numpy.mean([each["angular_velocity"] ** 2 for each in late]))
+            # hard spheres are 3 and 1 % above, the bed still on its way up; one fall of 1,600 spheres
+            self.assertAlmostEqual(moment["TDHS", resistance], moment["DEM", resistance], delta=0.1 * moment["DEM", resistance])
+        print("moment of the weight [N m]:", moment, "spin [rad/s]:", spin)
+        for method in ("DEM", "TDHS"):
+            self.assertLess(spin[method, 0.2], 0.9 * spin[method, 0])
 
     def test_every_method_that_fits(self):
         for method, weight, ranks in (("CGPM", 2, 1), ("CGPM", 2, 2), ("TDHS", 1, 2), ("CGHS", 2, 2), ("MPPIC", 2, 1), ("MPPIC", 2, 2)):
