@@ -8,7 +8,7 @@ The first run is the one that others are held against. Means are over snapshots 
   torque     of the drum on the particles about its axis, with the turn: the moment of their weight, and by how much their angular momentum
              (of their motion and their spin) changes in the time of the mean [mN m]
   power      torque x angular velocity [mW]
-  springs    the same torque as LIGGGHTS sums it up of its contacts with the drum, in each solid step (dem/torque; DEM and CGPM) [mN m]
+  mesh       the same torque as LIGGGHTS sums it up of the contacts with the drum, in each solid step (torque.txt) [mN m]
   angle      of the free surface: of a line by least squares through its height in the columns within half a radius of the axis. Columns are a real
              diameter wide and as long as the drum; the height is where, from above, their solid fraction first passes 0.3, spheres counted by 64 points
              in each [deg]
@@ -27,6 +27,7 @@ import numpy
 from interphase import InputError, Run, parameters, tables
 from interphase.time_statistics import Mean, difference, mean_with_error
 
+TORQUE = "torque.txt"  # of dem/scene.liggghts: solid step, N m
 SURFACE = 0.3  # solid fraction
 APART = 4  # real diameters, the width of a cell for mixing
 POINTS = 64
@@ -82,12 +83,12 @@ class Drum:
         mean = mean_with_error(self.moment)
         return shifted(mean, (self.momentum[-1] - self.momentum[0]) / (self.time[-1] - self.time[0]))
 
-    def torque_of_springs(self):
-        """`Mean`, N m; None where no springs push."""
-        path = os.path.join(self.run.path, "dem", "torque")
+    def torque_on_mesh(self):
+        """`Mean`, N m; None where the run has no record of it."""
+        path = os.path.join(self.run.path, TORQUE)
         if not os.path.isfile(path):
             return None
-        step, torque = numpy.loadtxt(path, unpack=True)
+        step, torque = numpy.loadtxt(path, unpack=True, ndmin=2)
         return mean_with_error(torque[step * self.run.meta["solid_step"] >= self.time[0]])
 
     def angle(self):
@@ -159,12 +160,12 @@ def cell(mean, digits, first=None):
 
 def table(drums):
     torque, angle, mixing = ([getattr(each, name)() for each in drums] for name in ("torque", "angle", "mixing"))
-    rows = [["run", "method", "W", "mu_r", "torque [mN m]", "power [mW]", "springs [mN m]", "angle [deg]", "mixing", "CPU [s]"]]
+    rows = [["run", "method", "W", "mu_r", "torque [mN m]", "power [mW]", "mesh [mN m]", "angle [deg]", "mixing", "CPU [s]"]]
     for each, t, a, m in zip(drums, torque, angle, mixing):
-        springs = each.torque_of_springs()
+        mesh = each.torque_on_mesh()
         rows.append([each.name, each.run.meta["method"], f"{each.run.meta['weight']:g}", f"{each.p['rollingFriction']:g}",
                      cell(scaled(t, 1e3), 2, scaled(torque[0], 1e3) if t is not torque[0] else None),
-                     cell(scaled(t, 1e3 * 2 * math.pi / each.p["period"]), 2), "-" if springs is None else cell(scaled(springs, 1e3), 2),
+                     cell(scaled(t, 1e3 * 2 * math.pi / each.p["period"]), 2), "-" if mesh is None else cell(scaled(mesh, 1e3), 2),
                      cell(a, 2, angle[0]), cell(m, 3, mixing[0]), f"{each.seconds():.0f}"])  # fmt: skip
     return rows
 
