@@ -95,27 +95,21 @@ void TriangleWall::sort_into_cells()
 {
     const std::vector<Triangle>& triangles = surface_.triangles;
     bounds_ = empty_box();
-    double perimeter = 0;
+    double shortest = 0;
     for (const Triangle& t : triangles) {
         for (const Vector& corner : t)
             extend(bounds_, corner);
-        perimeter += (t[1] - t[0]).norm() + (t[2] - t[1]).norm() + (t[0] - t[2]).norm();
+        shortest += std::min({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
     }
     if (triangles.empty()) return;
-    // cells about as wide as the triangles' edges, and not many more of them than triangles
-    const Vector extent = bounds_.col(1) - bounds_.col(0);
-    size_ = std::max(perimeter / (3.0 * static_cast<double>(triangles.size())), 1e-300);
-    const double most = 64.0 * static_cast<double>(triangles.size()) + 64;
-    const auto count = [&](int axis) { return std::floor(extent[axis] / size_) + 1; };
-    while (count(0) * count(1) * count(2) > most)
+    // cells about as wide as the triangles' shortest edges: of the long sides of a drum a sphere then sees few
+    size_ = std::max(shortest / static_cast<double>(triangles.size()), 1e-300);
+    while (!lay_cells())
         size_ *= 1.26;
-    for (int axis = 0; axis < 3; ++axis)
-        cells_[axis] = static_cast<int>(count(axis));
 
     const auto each = [&](const auto& visit) {
         for (std::size_t t = 0; t < triangles.size(); ++t) {
-            const Triangle& k = triangles[t];
-            const Range range = cells_around(k[0].cwiseMin(k[1]).cwiseMin(k[2]), k[0].cwiseMax(k[1]).cwiseMax(k[2]));
+            const Range range = cells_of(triangles[t]);
             for (int z = range.low[2]; z <= range.high[2]; ++z)
                 for (int y = range.low[1]; y <= range.high[1]; ++y)
                     for (int x = range.low[0]; x <= range.high[0]; ++x)
@@ -128,6 +122,35 @@ void TriangleWall::sort_into_cells()
     members_.resize(static_cast<std::size_t>(start_.back()));
     std::vector<int> next(start_.begin(), start_.end() - 1);
     each([&](std::size_t c, int t) { members_[static_cast<std::size_t>(next[c]++)] = t; });
+}
+
+/// Returns whether there are not many more cells than triangles, nor places of triangles in them.
+bool TriangleWall::lay_cells()
+{
+    const double most = 64.0 * static_cast<double>(surface_.triangles.size()) + 64;
+    const Vector extent = bounds_.col(1) - bounds_.col(0);
+    double cells = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double count = std::floor(extent[axis] / size_) + 1;
+        cells *= count;
+        if (cells > most) return false;
+        cells_[axis] = static_cast<int>(count);
+    }
+    double places = 0;
+    for (const Triangle& triangle : surface_.triangles) {
+        const Range range = cells_of(triangle);
+        double covered = 1;
+        for (int axis = 0; axis < 3; ++axis)
+            covered *= range.high[axis] - range.low[axis] + 1;
+        places += covered;
+    }
+    return places <= most;
+}
+
+TriangleWall::Range TriangleWall::cells_of(const Triangle& triangle) const
+{
+    const auto& [a, b, c] = triangle;
+    return cells_around(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));
 }
 
 TriangleWall::Range TriangleWall::cells_around(const Vector& low, const Vector& high) const

@@ -36,11 +36,13 @@ public:
 
 private:
     void sort_into_cells();
+    bool lay_cells();  ///< of size_
 
     struct Range {
         int low[3], high[3];
     };
     Range cells_around(const Vector& low, const Vector& high) const;
+    Range cells_of(const Triangle& triangle) const;
     int cell(int x, int y, int z) const { return (z * cells_[1] + y) * cells_[0] + x; }
     template <class Visit>
     void each_near(const Place& sphere, double reach, const Visit& visit) const;

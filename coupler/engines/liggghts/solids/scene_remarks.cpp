@@ -65,7 +65,9 @@ std::vector<Problem> SceneRemarks::of_scene()
         all.push_back(
             Problem{"a mesh of the particles moves (fix move/mesh), and the gas does not feel it: it flows "
                     "through the mesh as if that were not there, pushed only by the particles",
-                    settings_.script, "none is needed where the mesh is thin or slow beside the gas"});
+                    settings_.script,
+                    "none is needed where the mesh is thin or slow beside the gas, or is a wall of the gas mesh, too, "
+                    "that turns in its place (rotatingWallVelocity)"});
     return all;
 }
 
