@@ -24,7 +24,7 @@ import sys
 
 import numpy
 
-from interphase import InputError, Run, parameters, tables
+from interphase import InputError, Run, ave_time, parameters, tables
 from interphase.time_statistics import Mean, difference, mean_with_error
 
 TORQUE = "torque.txt"  # of dem/scene.liggghts: solid step, N m
@@ -85,11 +85,8 @@ class Drum:
 
     def torque_on_mesh(self):
         """`Mean`, N m; None where the run has no record of it."""
-        path = os.path.join(self.run.path, TORQUE)
-        if not os.path.isfile(path):
-            return None
-        step, torque = numpy.loadtxt(path, unpack=True, ndmin=2)
-        return mean_with_error(torque[step * self.run.meta["solid_step"] >= self.time[0]])
+        written = ave_time.read(self.run, TORQUE)
+        return mean_with_error(written[1][written[0] >= self.time[0], 0]) if written else None
 
     def angle(self):
         """`Mean`, degrees."""

@@ -16,7 +16,7 @@ import sys
 
 import numpy
 
-from interphase import InputError, Run, parameters, tables
+from interphase import InputError, Run, ave_time, parameters, tables
 from interphase.time_statistics import mean_with_error
 
 MIXED_AFTER = 0.5  # s
@@ -33,11 +33,8 @@ def turning(snapshot, p):
 
 def torque(run, start):
     """N m, its mean from `start` s on with an error; None where the run has no record of it."""
-    path = os.path.join(run.path, TORQUE)
-    if not os.path.exists(path):
-        return None
-    steps, on_blades = numpy.loadtxt(path, comments="#", ndmin=2).T
-    return mean_with_error(-on_blades[steps * float(run.meta["solid_step"]) > start])
+    written = ave_time.read(run, TORQUE)
+    return mean_with_error(-written[1][written[0] >= start, 0]) if written else None
 
 
 def shown(mean, scale=1):
