@@ -9,7 +9,7 @@ include(CMakePackageConfigHelpers)
 set(_root "${PROJECT_BINARY_DIR}/include/interphase")
 set(_headers plugin/plugin.hpp plugin/solid_stress.hpp plugin/wall_gaps.hpp plugin/method.hpp plugin/counter.hpp plugin/fingerprint.hpp base/vector.hpp base/text.hpp base/problem.hpp base/exit_code.hpp)
 set(_shared_headers contacts/fix_contacts.hpp contacts/fix_contacts_with_memory.hpp contacts/contact.hpp contacts/contact_memory.hpp
-    contacts/cells.hpp contacts/ghost_reach.hpp walls/fix_wall.hpp walls/mesh_load.hpp walls/of_all_ranks.hpp walls/wall_set.hpp walls/wall.hpp walls/triangle_wall.hpp walls/place.hpp script/script.hpp
+    contacts/cells.hpp contacts/exchange_room.hpp contacts/ghost_reach.hpp walls/fix_wall.hpp walls/mesh_load.hpp walls/of_all_ranks.hpp walls/wall_set.hpp walls/wall.hpp walls/triangle_wall.hpp walls/place.hpp script/script.hpp
     hard_sphere/any_law.hpp hard_sphere/attraction.hpp hard_sphere/batch_builder.hpp hard_sphere/bodies.hpp hard_sphere/cell_grid.hpp hard_sphere/cluster.hpp hard_sphere/contact.hpp
     hard_sphere/contact_batch.hpp hard_sphere/contact_solver.hpp hard_sphere/cost.hpp hard_sphere/counters.hpp hard_sphere/effort.hpp hard_sphere/fix_tdhs.hpp
     hard_sphere/fix_tdhs_of.hpp hard_sphere/fix_wall_tdhs.hpp hard_sphere/impact.hpp hard_sphere/impulse_memory.hpp

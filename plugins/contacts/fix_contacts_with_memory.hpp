@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "contacts/contact_memory.hpp"
+#include "contacts/exchange_room.hpp"
 #include "contacts/fix_contacts.hpp"
 
 namespace interphase::contacts {
@@ -91,14 +92,9 @@ protected:
 private:
     static constexpr int exchanged = 0, restarted = 1;  // LIGGGHTS's numbers
 
-    /// LIGGGHTS packs a sphere without a look at the room that there is.
     void make_room()
     {
-        int most = 0;
-        for (int i = 0; i < atom->nlocal; ++i)
-            most = std::max(most, memory_.size(i));
-        MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_INT, MPI_MAX, world);
-        comm->maxexchange_fix = std::max(comm->maxexchange_fix, most);
+        ask_for_room(*comm, world, atom->nlocal, [&](int i) { return memory_.size(i); });
     }
 
     /// Between two runs `delete_atoms` gives ids anew.

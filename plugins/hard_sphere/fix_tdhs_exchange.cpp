@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What fix tdhs keeps of each particle, and what it tells the ranks that hold a particle as a ghost.
-#include <mpi.h>
-
 #include <algorithm>
 
 #include "atom.h"
 #include "comm.h"
+#include "contacts/exchange_room.hpp"
 #include "hard_sphere/fix_tdhs.hpp"
 #include "hard_sphere/messages.hpp"
 
@@ -17,15 +16,10 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-/// LIGGGHTS packs a sphere without a look at the room that there is.
 void FixTdhs::pre_exchange()
 {
-    int most = 0;
-    for (int i = 0; i < atom->nlocal; ++i)
-        most = std::max(most, memory_.numbers(i));
-    MPI_Allreduce(&most, &room_, 1, MPI_INT, MPI_MAX, world);
-    room_ += numbers_in<ShiftMessage>;
-    comm->maxexchange_fix = std::max(comm->maxexchange_fix, room_);
+    room_ = contacts::ask_for_room(*comm, world, atom->nlocal,
+                                   [&](int i) { return numbers_in<ShiftMessage> + memory_.numbers(i); });
 }
 
 void FixTdhs::grow_arrays(int count)

@@ -4,20 +4,14 @@
 
 #include "atom.h"
 #include "hard_sphere/fix_tdhs.hpp"
-#include "hard_sphere/fix_wall_tdhs.hpp"
 #include "hard_sphere/wall_contacts.hpp"
-#include "modify.h"
 
 namespace interphase::hard_sphere {
 
 void FixTdhs::collect_walls()
 {
-    walls_.clear();
-    for (int k = 0; k < modify->nfix; ++k)
-        if (auto* fix = dynamic_cast<FixWallTdhs*>(modify->fix[k]); fix && fix->is_heeded_by(style)) walls_.add(*fix);
-    for (const auto& wall : walls_.all())
-        if (wall->type() < 0 || wall->type() >= atom->ntypes)
-            complain("a wall has a type that the simulation box does not know");
+    walls_.collect(*modify, style);
+    if (!walls_.are_of_types(atom->ntypes)) complain("a wall has a type that the simulation box does not know");
 }
 
 void FixTdhs::follow_walls()

@@ -13,7 +13,6 @@
 #include "base/text.hpp"
 #include "comm.h"
 #include "modify.h"
-#include "mp_pic/fix_wall_mp_pic.hpp"
 #include "mp_pic/velocity_limiter.hpp"
 #include "neighbor.h"
 #include "plugin/plugin.hpp"
@@ -90,12 +89,8 @@ void FixMpPic::init()
 
 void FixMpPic::setup(int)
 {
-    walls_.clear();
-    for (int k = 0; k < modify->nfix; ++k)
-        if (auto* fix = dynamic_cast<FixWallMpPic*>(modify->fix[k]); fix && fix->is_heeded_by(style)) walls_.add(*fix);
-    for (const auto& wall : walls_.all())
-        if (wall->type() < 0 || wall->type() >= atom->ntypes)
-            complain("a wall has a type that the simulation box does not know");
+    walls_.collect(*modify, style);
+    if (!walls_.are_of_types(atom->ntypes)) complain("a wall has a type that the simulation box does not know");
     follow_walls();
 }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "modify.h"
+
 namespace interphase::walls {
 
 void WallSet::clear()
@@ -17,6 +19,19 @@ void WallSet::add(FixWall& fix)
         walls_.push_back(fix.wall(n));
         origins_.push_back({&fix, n, fix.sums_forces(n)});
     }
+}
+
+void WallSet::collect(LAMMPS_NS::Modify& modify, const std::string& style)
+{
+    clear();
+    for (int k = 0; k < modify.nfix; ++k)
+        if (auto* fix = dynamic_cast<FixWall*>(modify.fix[k]); fix && fix->is_heeded_by(style)) add(*fix);
+}
+
+bool WallSet::are_of_types(int count) const
+{
+    return std::all_of(walls_.begin(), walls_.end(),
+                       [&](const auto& wall) { return wall->type() >= 0 && wall->type() < count; });
 }
 
 double WallSet::follow()

@@ -2,10 +2,15 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "walls/fix_wall.hpp"
 #include "walls/wall.hpp"
+
+namespace LAMMPS_NS {
+class Modify;
+}
 
 namespace interphase::walls {
 
@@ -20,6 +25,10 @@ public:
     void clear();
     /// Adds the fix's walls as they stand now; it has to live on. Collective.
     void add(FixWall& fix);
+    /// Those of all fixes that a fix of this style heeds, in place of what there was. Collective.
+    void collect(LAMMPS_NS::Modify& modify, const std::string& style);
+    /// Whether all are of one of so many types.
+    bool are_of_types(int count) const;
 
     /// Those that travel, as they stand and move now. Nothing is sent where none does. Returns how far a point of them
     /// is from where travel() had it [m]. Collective.

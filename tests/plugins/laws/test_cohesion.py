@@ -25,10 +25,11 @@ def cohesive(scene, work, reach=RANGE):
 
 
 class PullOff(HardSphereTest):
-    def falls(self, spheres, work, **more):
+    def falls(self, spheres, work, step=STEP, **more):
         """How far the spheres have come down in 0.1 s; free fall makes 49 mm."""
         scene = cohesive(law_scene("cohesive", spheres, (0, 0, 0), (0.4, 0.1, 0.1), e=0.5, before=gravity(), **more), work)
-        history = self.run_scene(scene, STEP, 1000, every=1000).history()
+        steps = round(0.1 / step)
+        history = self.run_scene(scene, step, steps, every=steps).history()
         return history.position[0, :, 2] - history.position[-1, :, 2]
 
     def check(self, name, spheres, at_pull_off, **more):
@@ -44,6 +45,12 @@ class PullOff(HardSphereTest):
     def test_from_a_ceiling(self):
         one = Spheres(2 * RADIUS, [[0.05, 0.05, 0.09 - RADIUS]], density=DENSITY)
         self.check("plane", one, HANGING, walls=("primitive type 2 zplane 0.09",))
+
+    def test_at_other_steps(self):
+        """In the longest it would fall through nearly the whole range."""
+        one = Spheres(2 * RADIUS, [[0.05, 0.05, 0.09 - RADIUS]], density=DENSITY)
+        for step in (1e-5, 1e-3, 4e-3):
+            self.check(f"step {step:g} s", one, HANGING, step=step, walls=("primitive type 2 zplane 0.09",))
 
     def test_from_a_ceiling_of_triangles(self):
         one = Spheres(2 * RADIUS, [[0.05, 0.05, 0.09 - RADIUS]], density=DENSITY)
