@@ -28,7 +28,7 @@ Checkpoints::Facts CoupledRun::facts() const
     all = {{"version", name_and_number(this_version())},
            {"engines", solids_->version() + ", " + case_.engine()},
            {"solid step", text(clock_.solid_step()) + " s"}};
-    for (const PluginBuild& plugin : solids_->plugin_builds()) {
+    for (const PluginBuild& plugin : solids_->plugins_in_use()) {
         all.emplace_back("plug-in " + plugin.name, plugin.sha256);
         all.emplace_back("place of plug-in " + plugin.name, plugin.file);
     }

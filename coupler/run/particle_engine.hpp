@@ -28,7 +28,8 @@ public:
     virtual std::string version() const = 0;  ///< its name and version
     virtual std::string plugins() const = 0;  ///< those loaded, with their styles; "none"
 
-    virtual std::vector<PluginBuild> plugin_builds() const { return {}; }
+    /// Those that the run depends on: none while no fix of any is in it nor can come into it.
+    virtual std::vector<PluginBuild> plugins_in_use() const { return {}; }
 
     /// The shortest collision time t_c [s], where the contact model tells.
     virtual std::optional<double> contact_duration() const = 0;

@@ -159,14 +159,16 @@ def by_the_paper(weight, steps_per_collision, own_steps=1.0):
     return own_steps / steps_per_collision / weight**1.5
 
 
-def exponent(factor, cost):
-    """(p, its standard error) of cost ~ factor^p by least squares of the logarithms, both [n]; error NaN of two points."""
+def exponent(factor, cost, errors=0.0):
+    """(p, its standard error) of cost ~ factor^p by least squares of the logarithms, both [n]. `errors` [n]: relative standard errors of the costs. That of p is the larger
+    one of what follows from these and from what the fit leaves, which is nothing of two points."""
     x, y = numpy.log(numpy.asarray(factor, dtype=float)), numpy.log(numpy.asarray(cost, dtype=float))
     if len(x) < 2 or numpy.ptp(x) == 0:
         raise InputError("an exponent needs two values of the factor that differ")
     x = x - x.mean()
-    slope = float((x * y).sum() / (x * x).sum())
-    if len(x) == 2:
-        return slope, math.nan
+    square = float((x * x).sum())
+    slope = float((x * y).sum()) / square
+    of_costs = math.sqrt(float((x * x * numpy.square(errors)).sum())) / square
     rest = y - y.mean() - slope * x
-    return slope, math.sqrt(float((rest * rest).sum()) / (len(x) - 2) / float((x * x).sum()))
+    of_fit = math.sqrt(float((rest * rest).sum()) / (len(x) - 2) / square) if len(x) > 2 else 0.0
+    return slope, max(of_costs, of_fit)

@@ -132,7 +132,7 @@ def read(path):
 
 SERIES = (  # what varies, of which methods, by the paper's exponent of the cost
     ("W", ("DEM", "CGPM"), "weight", -1.5), ("W", ("TDHS", "CGHS"), "weight", -1.5), ("W", ("MPPIC",), "weight", -1.0),
-    ("S", ("CGPM",), "steps_per_collision", 1.0), ("S", ("CGHS",), "steps_per_collision", 1.0),
+    ("S", ("CGPM",), "solid_steps_per_s", 1.0), ("S", ("CGHS",), "solid_steps_per_s", 1.0),  # those taken: a gas step has one at least
     ("N", ("CGPM",), "tracked", 1.0), ("N", ("CGHS",), "tracked", 1.0),
 )  # fmt: skip
 
@@ -161,6 +161,7 @@ def report(path):
     for what, methods, column, paper in SERIES:
         mine = of_series(rows, what, methods)
         if len(mine) > 1:
-            power, error = cost_model.exponent([row[column] for row in mine], [row["solids"] for row in mine])
+            spread = [(row["solids_most"] - row["solids_least"]) / 2 / row["solids"] for row in mine]  # of rounds: rather too large an error of their median
+            power, error = cost_model.exponent([row[column] for row in mine], [row["solids"] for row in mine], spread)
             fits.append((f"{what}, {' and '.join(methods)}", f"{power:.2f} +- {error:.2f}", f"{paper:g}", ", ".join(f"{row[column]:g}" for row in mine)))
     return [*lines, "", *tables.columns(fits)]

@@ -93,6 +93,22 @@ class Resume(ResumedMethods, support.ProgramTest):
         self.assertIn("parameters, inletVelocity: 0.9, and was 0.8", other.err)
         self.assertIn("-resume", other.err)
 
+    def test_plug_ins_built_anew_matter_where_their_fixes_are(self):
+        built = os.path.join(self.root, "built")
+        shutil.copytree(os.path.join(support.BUILD, "plugins"), built, ignore=lambda _, names: [name for name in names if not name.endswith(".so")])
+        for method, refused in (("DEM", False), ("TDHS", True)):
+            with self.subTest(method=method):
+                folder, _ = self.ready(method)
+                self.set_entry(folder, "system/controlDict", "endTime", self.stop)
+                self.run_case(folder, INTERPHASE_PLUGIN_PATH=built)
+                with open(os.path.join(built, "libhard_sphere.so"), "ab") as file:
+                    file.write(b"\0")  # behind all that is read of a library
+                self.set_entry(folder, "system/controlDict", "endTime", self.end)
+                again = support.execute(folder, options=["-resume"], INTERPHASE_PLUGIN_PATH=built)
+                self.assertEqual(again.code, 1 if refused else 0, again.err)
+                self.assertEqual("plug-in hard_sphere is another build" in again.err, refused)
+                self.assertNotIn("mp_pic is another", again.err)
+
     def test_goes_on_before_what_is_torn(self):
         folder, _ = self.ready("TDHS")
         self.edit(folder, "system/couplingDict", "^checkpoint .*$", "checkpoint { interval 0.005; }")

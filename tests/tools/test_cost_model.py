@@ -93,6 +93,10 @@ class Sums(unittest.TestCase):
         power, error = cost_model.exponent(numpy.exp([0, 1, 2]), numpy.exp([0, 0, 1]))
         self.assertAlmostEqual(power, 0.5)
         self.assertAlmostEqual(error, math.sqrt(1 / 6 / 2))
+        # logs (-1, 0, 1) about their mean: the middle cost's error does not matter, those of the others 0.3 and 0.4 over a sum of squares of 2
+        power, error = cost_model.exponent(numpy.exp([0, 1, 2]), numpy.exp([0, 0.5, 1]), [0.3, 9, 0.4])
+        self.assertAlmostEqual(power, 0.5)
+        self.assertAlmostEqual(error, 0.5 / 2)
 
 
 class Study(InFolder):
@@ -102,10 +106,13 @@ class Study(InFolder):
             own = point.steps / (20 if point.method in ("DEM", "CGPM") else 1) if point.steps else 1
             return {"solids": 2 * cost_study.COUNT * point.depth * point.weight**-1.5 * own**0.8, "gas": 9, "mapping": 4, "exchange": 2}
 
+        def steps(point):
+            return 1000.0 * (point.steps or 1)
+
         path = os.path.join(self.root, "cost-model.csv")
-        cost_study.write(path, {point: [(spent(point), 1000.0)] * 3 for point in cost_study.POINTS})
+        cost_study.write(path, {point: [(spent(point), steps(point))] * 3 for point in cost_study.POINTS})
         lines = "\n".join(cost_study.report(path))
-        for words in (r"W, DEM and CGPM +-1.50 \+- 0.00 +-1.5 +1, 2, 8, 27", r"W, MPPIC +-1.50", r"S, CGPM +0.80 \+- 0.00 +1 +10, 20, 40", r"S, CGHS +0.80", r"N, CGHS +1.00"):
+        for words in (r"W, DEM and CGPM +-1.50 \+- 0.00 +-1.5 +1, 2, 8, 27", r"W, MPPIC +-1.50", r"S, CGPM +0.80 \+- 0.00 +1 +10000, 20000, 40000", r"S, CGHS +0.80", r"N, CGHS +1.00"):
             self.assertRegex(lines, words)
 
     def test_no_table(self):

@@ -44,7 +44,7 @@ public:
     std::optional<double> rayleigh_time() const override { return rayleigh_time_; }
     std::optional<double> step_limit() const override { return step_limit_; }
     std::string plugins() const override { return described(plugins_); }
-    std::vector<PluginBuild> plugin_builds() const override;
+    std::vector<PluginBuild> plugins_in_use() const override;
     double largest_diameter() const override;
     double smallest_diameter() const override;
     void go_on_from(Archive& kept, double time) override;
@@ -100,7 +100,7 @@ private:
     std::unique_ptr<PluginCounters> counters_;
     std::optional<double> contact_duration_, rayleigh_time_, step_limit_;
     SolidStress* solid_stress_ = nullptr;  ///< a fix's
-    bool moves_come_first_ = false, takes_new_forces_ = false;
+    bool has_plugin_fixes_ = false, moves_come_first_ = false, takes_new_forces_ = false;
     Vector gravity_ = Vector::Zero();
     std::unique_ptr<SceneRemarks> remarks_;
     Archive* kept_ = nullptr;  ///< that this run is to go on from
