@@ -43,6 +43,18 @@ def pressure_profile(folder, start, end):
     return (middles, rows.mean(axis=0), numpy.array(errors)), ""
 
 
+def of_replicates(profiles):
+    """The mean of profiles (`pressure_profile`) of runs that differ in where they begin, its error by their scatter where there are several; None where one is None or has other
+    heights."""
+    first = profiles[0]
+    if len(profiles) == 1:
+        return first
+    if any(each is None or len(each[0]) != len(first[0]) or not numpy.allclose(each[0], first[0]) for each in profiles):
+        return None
+    pressures = numpy.array([pressure for _, pressure, _ in profiles])
+    return first[0], pressures.mean(axis=0), pressures.std(axis=0, ddof=1) / math.sqrt(len(pressures))
+
+
 def _heights(mesh):
     """z of the cells' middles [cells], m: the mean over their faces of the mean of their corners."""
     size = numpy.diff(mesh.first)

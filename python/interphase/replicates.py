@@ -35,14 +35,18 @@ class Scatter:
         return self.low <= self.ratio <= self.high
 
 
-def groups(sheets):
-    """[[`run_sheet.Sheet`, ...]] of three runs or more each, alike in all but seed, packing at the start and the bed that they begin with."""
+def alike(accounts):
+    """[[place, ...]] of `Account`s of runs that are alike in all but seed, packing at the start and the bed that they begin with, in the order of the first of each."""
     found = {}
-    for sheet in sheets:
-        account = sheet.account
+    for at, account in enumerate(accounts):
         key = account.case, account.method, account.weight, account.gas_step, account.solid_step, convergence.settings_of_the_bed(account)
-        found.setdefault(key, []).append(sheet)
-    return [some for some in found.values() if len(some) >= 3]
+        found.setdefault(key, []).append(at)
+    return list(found.values())
+
+
+def groups(sheets):
+    """[[`run_sheet.Sheet`, ...]] of three such runs or more."""
+    return [[sheets[at] for at in some] for some in alike([sheet.account for sheet in sheets]) if len(some) >= 3]
 
 
 def scatters(sheets, depth):

@@ -117,8 +117,8 @@ def text(names, reports, depth, confidence):
 
 
 def times_needed(report, depth):
-    """[(time [s] or None, name)] of each quantity without an error that is to be trusted: how far the run would have to go for one,
-    about, as far as the record shows; None where it does not."""
+    """[(time [s] or None, name)] of each quantity without an error that is to be trusted: how far the run, or each of its replicates, would have to go for
+    one, about, as far as the record shows; None where it does not."""
     found = []
     for heading, some in quantities(report, depth):
         of_series = some is report.series
@@ -126,9 +126,9 @@ def times_needed(report, depth):
         for quantity in some:
             if quantity.mean is None or not quantity.mean.reason:
                 continue
-            interval = (last - first) / (count - 1) if count > 1 else None
+            interval = (last - first) / (count / report.pieces - 1) if count > report.pieces else None
             name = " ".join(filter(None, (heading.split(" [")[0], quantity.name.strip())))
-            found.append((None if interval is None else first + quantity.mean.longer * count * interval, name))
+            found.append((None if interval is None else first + quantity.mean.longer * count / report.pieces * interval, name))
     return found
 
 
@@ -144,7 +144,7 @@ def _lacking(letter, report, depth):
         return f"{line}: one sample only; let the run record more (`snapshotInterval`), or go on"
     earliest = report.needed or 0.0
     half, (last, name) = max(known[(len(known) - 1) // 2][0], earliest), known[-1]
-    return (f"{line}; as far as the record shows, half of them have one when the run goes to t = {half:.3g} s, all at "
+    return (f"{line}; as far as the record shows, half of them have one when {'each run' if report.pieces > 1 else 'the run'} goes to t = {half:.3g} s, all at "
             f"{max(last, earliest):.3g} s (last: {name})")
 
 

@@ -167,10 +167,10 @@ def scene_of_all(runs, scene_file=None, snapshots=False):
     return scene, taken is None, notes + of_rows + more
 
 
-def reported(runs, start=None, end=None, scene_file=None, every=1, progress=lambda name, done, of, time: None, snapshots=False, scene=None):
+def reported(runs, start=None, end=None, scene_file=None, every=1, progress=lambda name, done, of, time: None, snapshots=False, scene=None, as_one=False):
     """`Reported` of the `Records` of several runs from `start` to `end` [s] (None: as tools/report chooses): of the rows of /statistics
     where each has them, unless `snapshots` or a `scene_file` (in the place of what the runs say) is given, else by each `every`-th
-    snapshot. `scene` is measured instead of what the files say. `progress` is called at each snapshot."""
+    snapshot. `scene` is measured instead of what the files say. `progress` is called at each snapshot. `as_one`: one report of all, as of one record in pieces."""
     names, where = names_of(runs), Matching("time", None)
     files, notes = _files(runs, names, scene_file)
     taken, of_rows = _taken(runs, names, snapshots or scene_file is not None or every > 1)
@@ -182,16 +182,14 @@ def reported(runs, start=None, end=None, scene_file=None, every=1, progress=lamb
     def inside(time):
         return where.inside(time, looked_at.start, looked_at.end)
 
+    wanted = [set() if taken is not None else set([time for time in run.snapshot_times() if inside(time)][::every]) for run in runs]
+    pieces = [run_report.Piece(run, lambda frame, of=of: frame.time in of, inside, taken and taken[at]) for at, (run, of) in enumerate(zip(runs, wanted))]
+    told = [lambda done, time, name=name, of=len(of): progress(name, done, of, time) for name, of in zip(names, wanted)]
     reports = []
-    for at, (name, run, unsettled) in enumerate(zip(names, runs, looked_at.unsettled)):
-        if taken is not None:
-            reports.append(run_report.measure(run, scene, None, inside, None, unsettled, taken[at]))
-            continue
-        times = run.snapshot_times()
-        wanted = set([time for time in times if inside(time)][::every])
-        reports.append(run_report.measure(run, scene, lambda frame: frame.time in wanted, inside,
-                                          lambda done, time: progress(name, done, len(wanted), time), unsettled))  # fmt: skip
-        if times and not wanted:
+    for some in [range(len(runs))] if as_one else [[at] for at in range(len(runs))]:
+        unsettled = next((found for at in some if (found := looked_at.unsettled[at])), None)
+        reports.append(run_report.measure([pieces[at] for at in some], scene, [told[at] for at in some], unsettled))
+        if taken is None and not any(wanted[at] for at in some) and any(runs[at].snapshot_times() for at in some):
             reports[-1].notes.append(f"no snapshot lies between {looked_at.start:g} and {looked_at.end:g} s")
     return Reported(names, looked_at, scene, reports, notes + more + of_scene)
 

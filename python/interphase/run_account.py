@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a run was and what it cost: command, version, machine, and seconds of a core per simulated second, by phase."""
 
+import dataclasses
 import datetime
 import math
 import os
@@ -90,6 +91,33 @@ def of_run(run):
         start=f"{start['method'] or 'a run'} at {start['time']:.6g} s" if start else "", state=run_state.state_of(record) if record else "",
         cost=cost_of(run, simulated, wall, cpu, ranks),
     )  # fmt: skip
+
+
+def of_replicates(accounts):
+    """The `Account` of runs that differ in where they begin, as of one: what they simulated and took is summed up, the cost is the mean over all of it."""
+    if len(accounts) == 1:
+        return accounts[0]
+
+    def words(name):
+        return "; ".join(dict.fromkeys(filter(None, (getattr(each, name) for each in accounts))))
+
+    several = {name: words(name) for name in ("folder", "command", "commit", "versions", "machine", "date", "start", "state")}
+    summed = {name: math.fsum(getattr(each, name) for each in accounts) for name in ("simulated", "wall", "cpu")}
+    return dataclasses.replace(accounts[0], **several, **summed, cost=_mean_cost(accounts), settings=tuple(
+        each for each in accounts[0].settings if all(each in other.settings for other in accounts)))  # fmt: skip
+
+
+def _mean_cost(accounts):
+    """The `Cost` over all that `Account`s simulated; its error is the larger one of what theirs make and of what they scatter. None where one has none."""
+    costs, share = [each.cost for each in accounts], numpy.array([each.simulated for each in accounts])
+    if not all(costs) or len({cost.kind for cost in costs}) > 1 or not share.sum() > 0:
+        return None
+    share = share / share.sum()
+    values, errors = (numpy.array([getattr(cost, name) for cost in costs]) for name in ("value", "error"))
+    value = float(share @ values)
+    scatter = math.sqrt(float(share**2 @ (values - value) ** 2) * len(costs) / (len(costs) - 1))
+    phases = {name: float(share @ [cost.phases[name] for cost in costs]) for name in costs[0].phases if all(name in cost.phases for cost in costs)}
+    return Cost(value, float(numpy.fmax(math.sqrt(float(share**2 @ errors**2)), scatter)), costs[0].kind, phases)
 
 
 def _shown(path):

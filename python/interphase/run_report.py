@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The statistics of one run, as Lu et al. give them: profiles, granular temperature, overlaps, voidage, pressure drop.
+"""The statistics of one run, or of replicates as one record, as Lu et al. give them: profiles, granular temperature, overlaps, voidage, pressure drop.
 
 They are made of the rows of /statistics, which the run has taken, or of snapshots: read one by one, a few hundred numbers of each kept.
 """
@@ -60,7 +60,7 @@ class Histogram:
 class RunReport:
     """All of it, of `snapshots` snapshots or, where `of_rows`, rows of /statistics. `first`, `last`: times of the first and last snapshot [s], of rows of /series where there are no snapshots.
     `recorded`: time to which the run had gone [s]. `rows`: number and times of the first and last row of /series. `needed`: time to which the run must go at least to tell the end of
-    its start-up [s]. What is None was not measured."""
+    its start-up [s]. `pieces`: of how many runs, replicates, of which each has that time range. What is None was not measured."""
 
     snapshots: int
     first: float
@@ -80,6 +80,7 @@ class RunReport:
     spectrum: Optional[Spectrum] = None
     notes: list = field(default_factory=list)
     of_rows: bool = False
+    pieces: int = 1
 
     @property
     def kind_of_voidage(self):
@@ -87,11 +88,28 @@ class RunReport:
         return "mapped voidage" if self.of_rows else "voidage"
 
 
+@dataclass(frozen=True)
+class Piece:
+    """A record, or a part of one: of `run` (`Records`) the snapshots that are `chosen(frame)`, or in their place those of `taken` (`StatisticsRows`) that
+    `series_chosen(time)` takes, as it does rows of /series."""
+
+    run: object
+    chosen: object
+    series_chosen: object
+    taken: object = None
+
+
 class _Rows:
     """Numbers of each snapshot, by name."""
 
     def __init__(self, rows=None):
         self.rows = {} if rows is None else rows
+
+    @classmethod
+    def joined(cls, several):
+        """Those of one after the other."""
+        filled = [each.rows for each in several if len(each.time)]
+        return cls({name: numpy.concatenate([numpy.asarray(rows[name]) for rows in filled]) for name in filled[0]} if filled else {})
 
     def add(self, **values):
         for name, value in values.items():
@@ -101,27 +119,30 @@ class _Rows:
         return numpy.array(self.rows.get(name, ()))
 
 
-def measure(run, scene, chosen, series_chosen, progress=None, unsettled=None, taken=None):
-    """The `RunReport` of `Records`; without snapshots that count, what /series gives.
+def measure(pieces, scene, progress=None, unsettled=None):
+    """The `RunReport` of a `Piece`, or of several as one record; without snapshots that count, what /series gives.
 
-    `chosen(frame)` and `series_chosen(time)` say what counts; `progress(number, time)` is called at each snapshot. `unsettled`: the
-    `StartUp` for whose reason no mean is to be trusted, None where start-up is over. `taken`: `StatisticsRows`, of which those that
-    `series_chosen` take the place of snapshots. InputError where a snapshot lacks what is needed.
+    `progress` of each piece, (number, time), is called at each snapshot. `unsettled`: the `StartUp` for whose reason no mean is to be trusted, None where start-up is
+    over. InputError where a snapshot lacks what is needed.
+
+    Of several the errors are those of one record as long as all of them: what one piece remembers of the one before is nothing, which in pieces that are longer
+    than the memory of what they show changes little. Spectra are not made then.
     """
-    rows = _Rows(samples(taken, series_chosen)) if taken is not None else _measured(run, scene, chosen, progress)
+    found = [_Rows(samples(each.taken, each.series_chosen)) if each.taken is not None else _measured(each.run, scene, each.chosen, tell)
+             for each, tell in zip(pieces, progress or [None] * len(pieces))]  # fmt: skip
+    rows = _Rows.joined(found)
     times = rows.time
-    report = RunReport(len(times), *((float(times[0]), float(times[-1])) if len(times) else (math.nan, math.nan)), of_rows=taken is not None)
-    if (spread := uneven(times)) is not None:
-        apart = f"{spread[0]:.4g} to {spread[1]:.4g} s apart"
-        report.notes.append(f"{'rows of /statistics' if report.of_rows else 'snapshots'} are {apart}; means are over samples, not over time")
+    report = RunReport(len(times), *((float(times.min()), float(times.max())) if len(times) else (math.nan, math.nan)), of_rows=all(each.taken is not None for each in pieces),
+                       pieces=len(pieces))  # fmt: skip
+    _tell_uneven(report, "rows of /statistics" if report.of_rows else "snapshots", [each.time for each in found])
     if scene.windows and len(times):
         _windows(report, scene.windows, rows)
     if scene.overlaps and len(times):
         _overlaps(report, scene.overlaps, rows)
     if scene.voidage and len(times):
         _voidage(report, scene.voidage, rows)
-    _series(report, run, series_chosen)
-    report.recorded = run.last_time()
+    _series(report, pieces)
+    report.recorded = max(each.run.last_time() for each in pieces)
     if unsettled is not None:
         report.needed = unsettled.needed
         _distrust(report, f"start-up not known to be over: {unsettled.reason}")
@@ -264,31 +285,45 @@ def _voidage(report, wanted, rows):
         report.notes.append(f"spheres with their centre outside the mesh, left out of the voidage: up to {most} at a time")
 
 
-def _series(report, run, chosen):
+def _tell_uneven(report, what, times_of_pieces):
+    """A note where samples of a piece come at uneven times. Returns whether they do."""
+    spread = next((found for times in times_of_pieces if (found := uneven(times)) is not None), None)
+    if spread is not None:
+        report.notes.append(f"{what} are {spread[0]:.4g} to {spread[1]:.4g} s apart; means are over samples, not over time")
+    return spread is not None
+
+
+def _rows_of_series(report, piece):
+    """(time [n], {name: [n]}) of the rows of /series that are chosen, None where there are none, which a note tells."""
     try:
-        found = run.series()
+        found = piece.run.series()
     except InputError as error:
         report.notes.append(f"no series: {error}")
-        return
+        return None
     if found is None:
         report.notes.append("no /series: neither pressure drop nor bed height nor kinetic energy")
-        return
+        return None
     times, columns = found
-    inside = numpy.array([chosen(time) for time in times], dtype=bool)
+    inside = numpy.array([piece.series_chosen(time) for time in times], dtype=bool)
     if not inside.any():
         report.notes.append("no row of /series lies in the time range")
+        return None
+    return times[inside], {name: column[inside] for name, column in columns.items()}
+
+
+def _series(report, pieces):
+    found = [rows for piece in pieces if (rows := _rows_of_series(report, piece)) is not None]
+    if not found:
         return
-    times = times[inside]
-    report.rows = len(times), float(times[0]), float(times[-1])
+    times = numpy.concatenate([each for each, _ in found])
+    values = {name: numpy.concatenate([columns[name] for _, columns in found]) for name in found[0][1] if all(name in columns for _, columns in found)}
+    report.rows = len(times), float(times.min()), float(times.max())
     if not report.snapshots:
         report.first, report.last = report.rows[1:]
-    values = {name: column[inside] for name, column in columns.items()}
-    spread = uneven(times)
-    if spread:
-        apart = f"{spread[0]:.4g} to {spread[1]:.4g} s apart"
-        report.notes.append(f"rows of /series are {apart}; means are over samples, not over time")
-    if report.last - times[-1] > 1.5 * numpy.diff(times).max(initial=0.0):
-        report.notes.append(f"rows of /series end at {times[-1]:.4g} s, before the snapshots: what comes from them is of less time")
+    spread = _tell_uneven(report, "rows of /series", [each for each, _ in found])
+    apart = max(numpy.diff(each).max(initial=0.0) for each, _ in found)
+    if report.last - report.rows[2] > 1.5 * apart:
+        report.notes.append(f"rows of /series end at {report.rows[2]:.4g} s, before the snapshots: what comes from them is of less time")
     for name, unit in (("pressure_drop", "Pa"), ("bed_height", "m"), ("kinetic_energy", "J")):
         if name not in values:
             report.notes.append(NO_PRESSURE_DROP if name == "pressure_drop" else f"/series/{name}: not there")
@@ -299,8 +334,11 @@ def _series(report, run, chosen):
         mean = statistics.mean_with_error(values[name])
         report.series.append(Quantity(name.replace("_", " "), unit, mean))
         if name == "pressure_drop":
-            report.pressure = times, values[name]
             report.series.append(Quantity("pressure drop, deviation", "Pa", statistics.deviation_with_error(values[name])))
+            if len(pieces) > 1:
+                report.notes.append("no spectrum of the pressure drop: the record is in pieces")
+                continue
+            report.pressure = times, values[name]
             if not spread:
                 report.spectrum = power_spectrum(times, values[name])
                 _strongest(report, times, values[name], mean)

@@ -52,14 +52,30 @@ def of_reported(runs, found):
     return sheets
 
 
-def each_over_its_own_time(runs, starts=None, scene_file=None, every=1, progress=lambda *_: None, snapshots=False):
-    """([`Sheet`], notes) of `Records`, each measured from its entry of `starts` [s] (None: as tools/report finds it) to its own end; what is measured is the same
-    in all. For runs of different length."""
-    scene, snapshots, notes = reporting.scene_of_all(runs, scene_file, snapshots or every > 1)
-    found = [reporting.reported([run], start, None, scene_file, every, progress, snapshots, scene) for run, start in zip(runs, starts or [None] * len(runs))]
-    sheets = [sheet for run, each in zip(runs, found) for sheet in of_reported([run], each)]
-    sheets = [dataclasses.replace(sheet, name=name) for sheet, name in zip(sheets, reporting.names_of(runs))]
+def each_over_its_own_time(groups, starts=None, scene_file=None, every=1, progress=lambda *_: None, snapshots=False, names=None):
+    """([`Sheet`], notes) of lists of `Records`, of one run or of replicates, which become one record in pieces; each measured from its entry of `starts` [s] (None: as
+    tools/report finds it) to its own end; what is measured is the same in all. For runs of different length. `names`: None, those of `names_of_groups`."""
+    scene, snapshots, notes = reporting.scene_of_all([run for runs in groups for run in runs], scene_file, snapshots or every > 1)
+    found = [reporting.reported(runs, start, None, scene_file, every, progress, snapshots, scene, as_one=True) for runs, start in zip(groups, starts or [None] * len(groups))]
+    sheets = [_of_group(runs, name, each) for runs, name, each in zip(groups, names or names_of_groups(groups), found)]
     return sheets, list(dict.fromkeys(notes + [note for each in found for note in each.notes]))
+
+
+def names_of_groups(groups):
+    """Of lists of `Records`: a run's own, what the names of replicates begin with alike ("DEM" of DEM_from-4 and DEM_from-8); none twice."""
+    names = iter(reporting.names_of([run for runs in groups for run in runs]))
+    each = [[next(names) for _ in runs] for runs in groups]
+    short = [some[0] if len(some) == 1 else os.path.commonprefix(some).rstrip("-_. ").removesuffix("_from") for some in each]
+    return [name if name and short.count(name) == 1 else "+".join(some) for name, some in zip(short, each)]
+
+
+def _of_group(runs, name, found):
+    """The `Sheet` of what reporting.reported has found of runs as one."""
+    profiles = [gas_profile.pressure_profile(run.path, found.range.start, found.range.end) for run in runs]
+    profile, missing = gas_profile.of_replicates([each for each, _ in profiles]), next((why for _, why in profiles if why), "")
+    how = found.range.how if len(runs) == 1 else f"{found.range.how}, of each of {len(runs)} runs"
+    account = run_account.of_replicates([run_account.of_run(run) for run in runs])
+    return Sheet(name, account, found.reports[0], found.scene, found.range.start, found.range.end, how, profile, missing)
 
 
 def store(folder, sheets):

@@ -20,16 +20,18 @@ OTHER_SETTINGS = "it is a run of other settings"
 
 @dataclasses.dataclass(frozen=True)
 class Plan:
-    """`beds` and then `points` (sweep_plan.Point) are run; `starts` {name: from when it is measured [s], None: found}."""
+    """`beds` and then `points` (sweep_plan.Point) are run; `starts` {name: from when it is measured [s], None: found}; `pieces_of` {name: what replicates of several start
+    times are together}."""
 
     beds: list
     points: list
     starts: dict
+    pieces_of: dict
 
 
 def of(study, folder):
     """The `Plan` of a `Study` in `folder`; InputError where one of its runs cannot be."""
-    beds, points, starts = {}, [], {}
+    beds, points, starts, pieces_of = {}, [], {}, {}
     for row in study.rows:
         made = _points(study, row)
         for point in made:
@@ -42,7 +44,7 @@ def of(study, folder):
                     _check_snapshot(bed.case, time, study)
                     point = dataclasses.replace(point, start=f"{os.path.join(folder, bed.name)}@{time:.9g}")
                 points.append(dataclasses.replace(point, name=called))
-                starts[called] = row.start
+                starts[called], pieces_of[called] = row.start, name
     names = [point.name for point in points]
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice:
@@ -52,9 +54,10 @@ def of(study, folder):
         other = alike.setdefault((point.identity, point.start), point)
         if other is not point:
             raise InputError(f"{study.path}: {other.name} and {point.name} are the same run: take it out of one row")
-    if study.reference is not None and study.reference not in names:
-        raise InputError(f"{study.path}: reference {study.reference} is none of the runs: {foam_file.nearest(study.reference, names)}")
-    return Plan(list(beds.values()), points, starts)
+    together = list(dict.fromkeys(pieces_of.values()))
+    if study.reference is not None and study.reference not in together:
+        raise InputError(f"{study.path}: reference {study.reference} is none of the runs: {foam_file.nearest(study.reference, together)}")
+    return Plan(list(beds.values()), points, starts, pieces_of)
 
 
 def _points(study, row):

@@ -67,6 +67,14 @@ class Means(unittest.TestCase):
             left = [each[truncation(each):] for each in rows]
             self.check(f"slugs after a start-up of {by} deviations, found", map(statistics.mean_with_error, left))
 
+    def test_a_record_in_pieces(self):
+        """Replicates of 1.8 s one after the other, as tools/report --pool takes them: slugs of 3 Hz that ring 0.5 s, alone and with a slow tenth."""
+        random = numpy.random.default_rng(11)
+        for pieces in (4, 8):
+            slugs, slow = (records(random, decay, period, 0.005, 1.8, RECORDS * pieces).reshape(RECORDS, -1) for decay, period in ((0.5, 1 / 3), (0.3, None)))
+            self.check(f"slugs of 3 Hz in {pieces} pieces of 1.8 s", map(statistics.mean_with_error, slugs))
+            self.check(f"the same with a slow tenth, {pieces} pieces", map(statistics.mean_with_error, slugs + math.sqrt(0.1) * slow))
+
     def test_the_sampling_rate_does_not_matter(self):
         """The same records at 1 kHz and each 50th row of them: errors alike within a fifth of themselves, and in the mean within 3 %."""
         random = numpy.random.default_rng(3)

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Replicates: which runs are, and that errors which hold are seldom called wrong and wrong ones are."""
 
+import dataclasses
+import math
 import re
 import unittest
 
 import numpy
 
-from interphase import page_replicates, replicates
-from test_convergence import sheet
+from interphase import page_replicates, replicates, run_account
+from interphase.run_account import Cost
+from test_convergence import ACCOUNT, sheet
 from test_trade import mean
 
 
@@ -16,6 +19,21 @@ class Groups(unittest.TestCase):
         sheets = [sheet(settings=(f"seed={n}", "restitution=0.5")) for n in range(3)]
         self.assertEqual([len(group) for group in replicates.groups([*sheets, sheet(weight=27), sheet(settings=("restitution=0.6",))])], [3])
         self.assertEqual(replicates.groups(sheets[:2]), [])
+
+
+class Accounts(unittest.TestCase):
+    def of(self, simulated, cost, error):
+        return dataclasses.replace(ACCOUNT, simulated=simulated, cpu=cost * simulated, cost=Cost(cost, error, "CPU time", {"solids": cost / 2}), start=f"TDHS at {simulated:g} s")
+
+    def test_of_several_as_one(self):
+        both = run_account.of_replicates([self.of(1.0, 8.0, 0.3), self.of(3.0, 12.0, 0.4)])
+        self.assertEqual((both.simulated, both.cpu, both.start), (4.0, 44.0, "TDHS at 1 s; TDHS at 3 s"))
+        self.assertAlmostEqual(both.cost.value, 11.0)
+        self.assertAlmostEqual(both.cost.phases["solids"], 5.5)
+        # the scatter: 1/4 of 3 and 3/4 of 1 off the mean, squared, summed and doubled; more than (0.3/4, 3 0.4/4)
+        self.assertAlmostEqual(both.cost.error, math.sqrt(2 * (0.75**2 + 0.75**2)))
+        self.assertEqual(run_account.of_replicates([self.of(1.0, 8.0, 0.3)]), self.of(1.0, 8.0, 0.3))
+        self.assertIsNone(run_account.of_replicates([self.of(1.0, 8.0, 0.3), ACCOUNT]).cost)
 
 
 class Scatters(unittest.TestCase):

@@ -56,6 +56,13 @@ class Study(InFolder):
         starts = {point.name: os.path.basename(point.start) for point in plan.points}
         self.assertEqual(starts["all_MPPIC-w8"], "developed-w8@3")
         self.assertEqual([starts[f"DEM_from-{n}"] for n in (1, 2, 3)], ["developed-w1@1", "developed-w1@2", "developed-w1@3"])
+        self.assertEqual({plan.pieces_of[f"DEM_from-{n}"] for n in (1, 2, 3)}, {"DEM"})
+        self.assertEqual(plan.pieces_of["all_TDHS-w1"], "all_TDHS-w1")
+
+    def test_replicates_together_may_be_the_reference(self):
+        text = 'case "cases/sscp1"; until 2; developed { time 3; } rows { TDHS { methods (TDHS); } DEM { methods (DEM); startTimes (1 3); } } reference '
+        self.plan(text + "DEM;")
+        self.assertIn("reference DEM_from-1 is none of the runs", self.refused(text + "DEM_from-1;"))
 
     def test_what_is_refused(self):
         for text, words in (

@@ -4,7 +4,7 @@
 import os
 import sys
 
-from interphase import report_figure, report_file, report_keys, report_output, report_table, reporting, run_sheet, trades_of_runs
+from interphase import replicates, report_figure, report_file, report_keys, report_output, report_table, reporting, run_account, run_sheet, trades_of_runs
 from interphase.command_line import Parser, check_order, count, share, time
 from interphase.input_error import InputError
 
@@ -73,6 +73,7 @@ def arguments(given):
     parser.add_argument("--depth", choices=("front", "full"), help="the windows to show (default: see below)")
     parser.add_argument("--every", metavar="N", type=count, default=1, help="read each N-th snapshot only, and no rows (default: 1)")
     parser.add_argument("--own-time", action="store_true", help="each run to its own end, not to the shortest one's; nothing is written into the runs then")
+    parser.add_argument("--pool", action="store_true", help="runs that differ in where they begin only (seed, packing, --from) as one record in pieces; each run to its own end")
     parser.add_argument("--scene", metavar="FILE", help="what to measure of snapshots, instead of what the runs' `statistics` say; same keys")
     parser.add_argument("--snapshots", action="store_true", help="measure snapshots, also where a run has rows of /statistics")
     parser.add_argument(
@@ -84,8 +85,9 @@ def arguments(given):
     )
     options = parser.parse_args(given)
     check_order(options.start, options.end)
+    options.own_time = options.own_time or options.pool
     if options.own_time and options.end is not None:
-        raise InputError("--own-time and --until: each run goes to its own end, or all to one; give one of them")
+        raise InputError(f"{'--pool' if options.pool else '--own-time'} and --until: each run goes to its own end, or all to one; give one of them")
     if options.html:
         report_output.check_name(options.html, "--html")
     if options.trades and not options.trades.endswith(".csv"):
@@ -129,8 +131,13 @@ def measured(options):
         for run in runs:
             report_file.check_writable(run)
     if options.own_time:
-        sheets, notes = run_sheet.each_over_its_own_time(runs, [options.start] * len(runs), options.scene, options.every, progress, options.snapshots)
-        return sheets, {sheet.name: run.path for sheet, run in zip(sheets, runs)}, notes
+        groups = [[run] for run in runs]
+        if options.pool:
+            groups = [[runs[at] for at in some] for some in replicates.alike([run_account.of_run(run) for run in runs])]
+            if len(groups) == len(runs):
+                raise InputError("--pool: no two of the runs are alike in all but seed, packing and the bed that they begin with; leave it out")
+        sheets, notes = run_sheet.each_over_its_own_time(groups, [options.start] * len(groups), options.scene, options.every, progress, options.snapshots)
+        return sheets, {sheet.name: some[0].path for sheet, some in zip(sheets, groups)}, notes
     found = reporting.reported(runs, options.start, options.end, options.scene, options.every, progress, options.snapshots)
     notes = found.notes + [f"{name}: {start}" for name, run in zip(found.names, runs) if (start := started_from(run))]
     if not options.no_write:
@@ -145,7 +152,7 @@ def kept(options):
     others = [path for path in options.runs if not report_output.is_stored(path)]
     if others:
         raise InputError(f"{others[0]} is no folder that --store has written, and others are: give runs, or stored folders, not both")
-    for option, given in (("--from", options.start is not None), ("--until", options.end is not None), ("--scene", options.scene), ("--store", options.store), ("--trades", options.trades),
+    for option, given in (("--from", options.start is not None), ("--until", options.end is not None), ("--pool", options.pool), ("--scene", options.scene), ("--store", options.store), ("--trades", options.trades),
                           ("--snapshots", options.snapshots)):
         if given:
             raise InputError(f"{option}: what is stored has been measured already; give the runs themselves")

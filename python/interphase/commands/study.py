@@ -32,7 +32,7 @@ A row is the product of its lists; the keys of a row may stand in the file, too,
 @KEYS@
 
 With `developed` a run of TDHS (W = 1) and one of CGHS (each other W) go to its `time` first; all runs of that W start with their particles and gas, and
-their clocks at 0. With startTimes one bed gives several starts: replicates of a method that is too dear to run long.
+their clocks at 0. With startTimes one bed gives several starts: replicates of a method that is too dear to run long, which the page takes as one record in pieces.
 
 The folder of --out then holds a folder for each run, as of tools/run without picture, and report.html. What was made by another version of the program, or
 with other settings, is told and left as it is: --anew puts it aside and runs it again.
@@ -213,14 +213,17 @@ def measure(study, plan, folder, sweeps, given):
         tools_sweep.say("no run has ended: there is nothing to measure yet")
         return
     reporting = module("reporting")
-    runs = [reporting.opened(os.path.join(folder, point.name)) for point in done]
-    sheets, notes = run_sheet.each_over_its_own_time(runs, [plan.starts[point.name] for point in done])
+    together = {}
+    for point in done:
+        together.setdefault(plan.pieces_of[point.name], []).append(point.name)
+    groups = [[reporting.opened(os.path.join(folder, name)) for name in names] for names in together.values()]
+    sheets, notes = run_sheet.each_over_its_own_time(groups, [plan.starts[names[0]] for names in together.values()], names=list(together))
     missing = [name for name in plan.starts if name not in {point.name for point in done}]
     notes += [f"not there: {', '.join(missing)}"] if missing else []
     if given.store:
         for path in run_sheet.store(given.store, sheets):
             tools_sweep.say(f"stored     {path}")
-    page(study, sheets, {sheet.name: run.path for sheet, run in zip(sheets, runs)}, notes, given.html or os.path.join(folder, "report.html"))
+    page(study, sheets, {sheet.name: runs[0].path for sheet, runs in zip(sheets, groups)}, notes, given.html or os.path.join(folder, "report.html"))
 
 
 if __name__ == "__main__":
