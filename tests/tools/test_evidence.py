@@ -59,10 +59,10 @@ class Near(unittest.TestCase):
         self.assertEqual({each.steps_per_collision for each in ALL[2].near(TRADES)}, {1.0})
 
     def test_wide_parcels_are_warned_of(self):
-        """van-wachem: CGHS lost half of the pressure's deviation with parcels of 0.31 of the depth, two thirds with 0.39."""
+        """van-wachem: CGHS lost half of the pressure's deviation with parcels of 0.31 of the depth, 63 % with 0.39."""
         self.assertEqual(evidence.warnings(TRADES, "TDHS", 0.5), [])
         said = " ".join(evidence.warnings(TRADES, "CGHS", 0.4))
-        self.assertIn("van-wachem, parcels of W = 8, 0.39 of the depth: pressure_drop_deviation -67", said)
+        self.assertIn("van-wachem, parcels of W = 8, 0.39 of the depth: pressure_drop_deviation -63 +- 2 % of DEM", said)
         self.assertFalse([words for words in evidence.warnings(TRADES, "CGHS", 0.09) if "pressure_drop_deviation" in words])
         self.assertIn("pressure_drop_deviation -77", " ".join(evidence.warnings(TRADES, "MPPIC", 0.09)))
 
