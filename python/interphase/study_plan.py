@@ -7,7 +7,7 @@ import os
 import re
 import subprocess
 
-from interphase import case_folder, foam_file, launch, methods, report_scene, run_state, stored, sweep_plan
+from interphase import case_folder, foam_file, launch, methods, report_scene, run_state, stored, study_file, sweep_plan
 from interphase.box_mesh import BoxMesh, box_mesh
 from interphase.case import Case
 from interphase.case_folder import CONTROL, COUPLING
@@ -77,9 +77,13 @@ def _points(study, row):
 
 
 def _bed(study, weight):
+    """The run that develops a bed: of the vessel, gas and particles that all rows have alike; its solid step is its own method's."""
     developed = study.developed
     method = developed.method if weight == 1 else developed.of_parcels
-    case = Case(study.case).set(method=method, weight=f"{weight:g}")
+    first = study.rows[0].sets
+    alike = {name: values[0] for name, values in first.items() if len(values) == 1 and all(row.sets.get(name) == values for row in study.rows)}
+    alike.pop(study_file.SHORT["solidSteps"], None)
+    case = Case(study.case).set(alike).set(method=method, weight=f"{weight:g}")
     return sweep_plan.Point(f"developed-w{weight:g}", case, developed.time, {})
 
 

@@ -59,6 +59,13 @@ class Study(InFolder):
         self.assertEqual({plan.pieces_of[f"DEM_from-{n}"] for n in (1, 2, 3)}, {"DEM"})
         self.assertEqual(plan.pieces_of["all_TDHS-w1"], "all_TDHS-w1")
 
+    def test_a_bed_is_developed_with_what_all_rows_have_alike(self):
+        plan = self.plan("""
+            case "cases/sscp1"; until 2; velocities (3.28); set { depth 0.06; records/snapshotInterval 0.5; } solidSteps (40); developed { time 3; }
+            rows { a { methods (DEM); } b { methods (CGHS); weights (8); set { restitution 0.5; } } c { methods (CGHS); weights (8); set { restitution (0.6 0.7); } } }""")
+        self.assertEqual([bed.case.settings for bed in plan.beds], [{"inletVelocity": "3.28", "depth": "0.06", "records/snapshotInterval": "0.5"}] * 2)
+        self.assertIn("no multiple of records/snapshotInterval = 0.5 s", self.refused('case "cases/sscp1"; set { records/snapshotInterval 0.5; } developed { time 1.2; } methods (DEM);'))
+
     def test_replicates_together_may_be_the_reference(self):
         text = 'case "cases/sscp1"; until 2; developed { time 3; } rows { TDHS { methods (TDHS); } DEM { methods (DEM); startTimes (1 3); } } reference '
         self.plan(text + "DEM;")

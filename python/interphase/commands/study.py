@@ -31,8 +31,8 @@ A row is the product of its lists; the keys of a row may stand in the file, too,
 
 @KEYS@
 
-With `developed` a run of TDHS (W = 1) and one of CGHS (each other W) go to its `time` first; all runs of that W start with their particles and gas, and
-their clocks at 0. With startTimes one bed gives several starts: replicates of a method that is too dear to run long, which the page takes as one record in pieces.
+With `developed` a run of TDHS (W = 1) and one of CGHS (each other W) go to its `time` first, with the settings that all rows have alike but for the solid step;
+all runs of that W start with their particles and gas, and their clocks at 0. With startTimes one bed gives several starts: replicates of a method that is too dear to run long, which the page takes as one record in pieces.
 
 The folder of --out then holds a folder for each run, as of tools/run without picture, and report.html. What was made by another version of the program, or
 with other settings, is told and left as it is: --anew puts it aside and runs it again.
