@@ -44,10 +44,10 @@ std::string part(const CountKind& kind)
 
 CountKinds counts_of_the_step()
 {
-    CountKinds all{&cells_relieved,        &particles_outside_mesh,   &centres_beyond_edge,        &cells_pushed,
-                   &beyond_drag_range,     &self_disturbance_limited, &steps_alternating,          &steps_accelerating,
-                   &steps_across_cells,    &steps_outrun_by_waves,    &cells_beyond_close_packing, &step_crosses_cells,
-                   &step_beyond_relaxation};
+    CountKinds all{&cells_relieved,     &particles_outside_mesh, &centres_beyond_edge,      &cells_pushed,
+                   &held_at_outlet,     &beyond_drag_range,      &self_disturbance_limited, &steps_alternating,
+                   &steps_accelerating, &steps_across_cells,     &steps_outrun_by_waves,    &cells_beyond_close_packing,
+                   &step_crosses_cells, &step_beyond_relaxation};
     for (const OptionalTerm& term : optional_terms())
         for (const Count& count : term.make()->counts())
             all.push_back(count.kind);

@@ -29,6 +29,7 @@ CouplingStep::CouplingStep(const Communicator& comm, const Settings& settings, G
       forces_(settings, gas, mapping_, solids.gravity()),
       ledger_(comm),
       watch_(comm, gas, solids),
+      outlets_(gas, solids.gravity()),
       population_(comm, settings),
       stress_model_(solids.solid_stress()),
       periods_(solids.periods()),
@@ -214,7 +215,10 @@ void CouplingStep::return_gas_to_particles(double dt)
 {
     stopwatch_.switch_to(Phase::mapping);
     forces_.answer(visitors_, answers_.of_visitors, added_masses_.of_visitors);
-    if (settings_.two_way) ledger_.momentum.step.given_by_gas = forces_.given_by_gas(solid_volume_, demand_);
+    if (settings_.two_way) {
+        ledger_.momentum.step.given_by_gas = forces_.given_by_gas(solid_volume_, demand_);
+        outlets_.observe(visitors_, voidage_, forces_.pressure_gradient());
+    }
     if (stress_) stress_->answer(visitors_.cell, of_stress_.of_visitors);
 
     stopwatch_.switch_to(Phase::exchange);
@@ -319,6 +323,7 @@ void CouplingStep::keep(Archive& archive)
     archive.keep("forces", forces_);
     archive.keep("ledger", ledger_);
     archive.keep("watch", watch_);
+    if (!archive.loads() || archive.has("outlets")) archive.keep("outlets", outlets_);
     archive.keep("population", population_);
     if (stress_) archive.keep("stress", *stress_);
     archive.keep_cells("gas_volume", gas_volume_);

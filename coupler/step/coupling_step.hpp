@@ -18,6 +18,7 @@
 #include "step/cell_solids.hpp"
 #include "step/gas.hpp"
 #include "step/interphase_forces.hpp"
+#include "step/outlet_watch.hpp"
 #include "step/population_watch.hpp"
 #include "step/solids.hpp"
 #include "step/step_watch.hpp"
@@ -124,6 +125,7 @@ private:
     InterphaseForces forces_;
     Ledger ledger_;
     StepWatch watch_;
+    OutletWatch outlets_;
     PopulationWatch population_;
     SolidStress* stress_model_;
     std::optional<StressExchange> stress_;  ///< of a model that wants it

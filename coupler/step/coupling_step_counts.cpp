@@ -12,7 +12,8 @@ std::vector<Count> CouplingStep::counts() const
     std::vector<Count> all{{cells_relieved, relieved_},
                            {particles_outside_mesh, outside_},
                            {centres_beyond_edge, beyond_edge_},
-                           {cells_pushed, pushed_}};
+                           {cells_pushed, pushed_},
+                           outlets_.count()};
     const auto add = [&all](const std::vector<Count>& more) { all.insert(all.end(), more.begin(), more.end()); };
     add(forces_.counts());
     if (settings_.two_way) add(watch_.counts());

@@ -44,6 +44,12 @@ struct Crossing {
     double in = 0, out = 0;
 };
 
+/// A face of the outer boundary that gas may pass.
+struct OpenFace {
+    int cell;         ///< behind it
+    Vector outwards;  ///< unit normal vector
+};
+
 /// A property of the gas: the same everywhere, or that of each of this rank's cells [n].
 struct GasProperty {
     GasProperty(double everywhere) : uniform(everywhere) {}
@@ -85,6 +91,8 @@ public:
     /// Gas volume that left each cell in the last step, net [n, m3].
     virtual Scalars outflow() const = 0;
     virtual Crossing crossing() const = 0;  ///< in the last step
+    /// Inlets and outlets of this rank's part.
+    virtual std::vector<OpenFace> open_faces() const { return {}; }
 
     virtual Scalars velocity() const = 0;           ///< [n x 3, m/s]
     virtual Scalars pressure_gradient() const = 0;  ///< of the full pressure [n x 3, Pa/m]

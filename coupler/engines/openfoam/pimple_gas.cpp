@@ -10,6 +10,7 @@
 #include "fixedFluxPressureFvPatchScalarField.H"
 #include "fixedValueFvPatchFields.H"
 #include "fvCFD.H"
+#include "wallPolyPatch.H"
 #include "zeroGradientFvPatchFields.H"
 
 namespace interphase {
@@ -262,6 +263,23 @@ Crossing PimpleGas::crossing() const
     }
     const double dt = mesh_.time().deltaTValue();
     return {dt * total.in, dt * total.out};
+}
+
+std::vector<OpenFace> PimpleGas::open_faces() const
+{
+    std::vector<OpenFace> all;
+    forAll(mesh_.boundary(), patch)
+    {
+        const polyPatch& shape = mesh_.boundaryMesh()[patch];
+        if (shape.coupled() || isA<wallPolyPatch>(shape) || polyPatch::constraintType(shape.type())) continue;
+        const vectorField normals(mesh_.boundary()[patch].nf());
+        forAll(normals, face)
+        {
+            const vector& out = normals[face];
+            all.push_back({static_cast<int>(shape.faceCells()[face]), Vector(out.x(), out.y(), out.z())});
+        }
+    }
+    return all;
 }
 
 void PimpleGas::keep_fields(GasState& state)

@@ -29,6 +29,7 @@ public:
     void solve(double dt, const Demand& demand) override;
     Scalars outflow() const override;
     Crossing crossing() const override;
+    std::vector<OpenFace> open_faces() const override;
     double courant_number() const override;
 
 private:
