@@ -16,17 +16,17 @@ INK = "0.2"
 
 def panels(reports, depth, scene):
     """{name: function that draws on axes} of what these reports have anything for, in the order of the figure."""
-    def there(part):
-        return any(getattr(report, part) is not None for report in reports)
+    def there(parts):
+        return any(getattr(report, part) is not None for report in reports for part in parts.split())
 
-    return {name: make for name, part, make in (
+    return {name: make for name, parts, make in (
         ("vertical velocity", "windows", lambda axes: _velocity(axes, reports, depth, "vertical", scene)),
         ("horizontal velocity", "windows", lambda axes: _velocity(axes, reports, depth, "horizontal", scene)),
         ("granular temperature", "windows", lambda axes: _temperature(axes, reports, depth)),
         ("overlaps", "overlap", lambda axes: _overlap(axes, reports)),
         ("voidage", "voidage", lambda axes: _voidage(axes, reports)),
-        ("pressure", "pressure", lambda axes: _pressure(axes, reports)),
-    ) if there(part)}
+        ("pressure", "pressure spectrum", lambda axes: _pressure(axes, reports)),  # what is stored has one of them
+    ) if there(parts)}
 
 
 def draw(path, names, reports, depth, scene):
@@ -135,15 +135,16 @@ def _voidage(axes, reports):
 
 
 def _pressure(axes, reports):
-    """Spectra with their 95 % bands where all records are long enough, else the series."""
-    some = [(at, report) for at, report in enumerate(reports) if report.pressure is not None]
-    if all(report.spectrum is not None for _, report in some):
-        for at, report in some:
+    """Spectra with their 95 % bands where all records are long enough, or nothing else is there, else the series."""
+    series = [(at, report) for at, report in enumerate(reports) if report.pressure is not None]
+    spectra = [(at, report) for at, report in enumerate(reports) if report.spectrum is not None]
+    if all(report.spectrum is not None for _, report in series):
+        for at, report in spectra:
             found = report.spectrum
             axes.loglog(found.frequency, found.power, **style(at))
             axes.fill_between(found.frequency, found.low, found.high, color=style(at)["color"], alpha=0.15, linewidth=0)
         axes.set(xlabel="frequency [Hz]", ylabel="pressure drop, power [Pa²/Hz]")
         return
-    for at, report in some:
+    for at, report in series:
         axes.plot(report.pressure[0], report.pressure[1] / 1000, **style(at))
     axes.set(xlabel="t [s]", ylabel="pressure drop [kPa]")

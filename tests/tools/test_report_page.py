@@ -87,11 +87,14 @@ class Pages(Folder):
             self.assertIn(words, text)
 
     def test_it_is_made_again_from_what_was_stored(self):
-        runs, kept = [self.run_of("a", seed=1), self.run_of("b", seed=2)], os.path.join(self.root, "kept")
-        first, _ = self.page(*runs, "--no-write", "--from", "0.5", "--store", kept)
+        runs, kept = [self.run_of("a", 200, 1), self.run_of("b", 200, 2)], os.path.join(self.root, "kept")  # long enough for a spectrum
+        first, drawn = self.page(*runs, "--no-write", "--from", "0.5", "--store", kept)
         for run in runs:
             shutil.rmtree(run)
-        again, _ = self.page(kept)
+        again, drawn_again = self.page(kept)
+        of_runs = [alt for alt in drawn.alts if alt not in drawn_again.alts]
+        self.assertTrue(all(alt.startswith("the particles of") for alt in of_runs), of_runs)
+        self.assertIn("the pressure drop's spectrum or series of each run", drawn_again.alts)
 
         def numbers(text):
             return re.findall(r'<a href="#run-\d+">([^<]*\+- [^<]*)</a>', text)
