@@ -10,6 +10,7 @@ from interphase import report_file, report_scene, run_report, run_state, stored
 from interphase.box_mesh import BoxMesh, box_mesh
 from interphase.input_error import InputError
 from interphase.matching_times import Matching
+from interphase.record_samples import Piece
 from interphase.report_scene import Scene
 from interphase.report_vessel import box_of, vessel_of
 from interphase.run_records import find_run
@@ -183,12 +184,14 @@ def reported(runs, start=None, end=None, scene_file=None, every=1, progress=lamb
         return where.inside(time, looked_at.start, looked_at.end)
 
     wanted = [set() if taken is not None else set([time for time in run.snapshot_times() if inside(time)][::every]) for run in runs]
-    pieces = [run_report.Piece(run, lambda frame, of=of: frame.time in of, inside, taken and taken[at]) for at, (run, of) in enumerate(zip(runs, wanted))]
-    told = [lambda done, time, name=name, of=len(of): progress(name, done, of, time) for name, of in zip(names, wanted)]
+
+    def piece(at):
+        return Piece(runs[at], lambda frame: frame.time in wanted[at], inside, taken and taken[at], lambda done, time: progress(names[at], done, len(wanted[at]), time))
+
     reports = []
     for some in [range(len(runs))] if as_one else [[at] for at in range(len(runs))]:
         unsettled = next((found for at in some if (found := looked_at.unsettled[at])), None)
-        reports.append(run_report.measure([pieces[at] for at in some], scene, [told[at] for at in some], unsettled))
+        reports.append(run_report.measure([piece(at) for at in some], scene, unsettled))
         if taken is None and not any(wanted[at] for at in some) and any(runs[at].snapshot_times() for at in some):
             reports[-1].notes.append(f"no snapshot lies between {looked_at.start:g} and {looked_at.end:g} s")
     return Reported(names, looked_at, scene, reports, notes + more + of_scene)

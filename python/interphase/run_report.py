@@ -11,18 +11,17 @@ from typing import Optional
 
 import numpy
 
-from interphase import bed_statistics, periodic_box, time_statistics as statistics
+from interphase import bed_statistics, time_statistics as statistics
 from interphase.input_error import InputError
+from interphase.record_samples import Rows
 from interphase.run import NO_PRESSURE_DROP
 from interphase.spectrum import COPIES, Spectrum, power_spectrum, strongest_frequency
 from interphase.statistical_comparison import uneven
-from interphase.statistics_rows import DEPTHS, samples
+from interphase.statistics_rows import DEPTHS
 from interphase.time_statistics import Mean
 
 FREQUENCY = "pressure drop, strongest frequency"
 COMPONENTS = ("horizontal", "vertical")
-DATA = ("position", "velocity", "diameter")
-WEIGHT = "weight"  # real particles in each sphere; recorded where it differs between them
 
 
 @dataclass(frozen=True)
@@ -88,49 +87,16 @@ class RunReport:
         return "mapped voidage" if self.of_rows else "voidage"
 
 
-@dataclass(frozen=True)
-class Piece:
-    """A record, or a part of one: of `run` (`Records`) the snapshots that are `chosen(frame)`, or in their place those of `taken` (`StatisticsRows`) that
-    `series_chosen(time)` takes, as it does rows of /series."""
+def measure(pieces, scene, unsettled=None):
+    """The `RunReport` of a `record_samples.Piece`, or of several as one record; without snapshots that count, what /series gives.
 
-    run: object
-    chosen: object
-    series_chosen: object
-    taken: object = None
-
-
-class _Rows:
-    """Numbers of each snapshot, by name."""
-
-    def __init__(self, rows=None):
-        self.rows = {} if rows is None else rows
-
-    @classmethod
-    def joined(cls, several):
-        """Those of one after the other."""
-        filled = [each.rows for each in several if len(each.time)]
-        return cls({name: numpy.concatenate([numpy.asarray(rows[name]) for rows in filled]) for name in filled[0]} if filled else {})
-
-    def add(self, **values):
-        for name, value in values.items():
-            self.rows.setdefault(name, []).append(value)
-
-    def __getattr__(self, name):
-        return numpy.array(self.rows.get(name, ()))
-
-
-def measure(pieces, scene, progress=None, unsettled=None):
-    """The `RunReport` of a `Piece`, or of several as one record; without snapshots that count, what /series gives.
-
-    `progress` of each piece, (number, time), is called at each snapshot. `unsettled`: the `StartUp` for whose reason no mean is to be trusted, None where start-up is
-    over. InputError where a snapshot lacks what is needed.
+    `unsettled`: the `StartUp` for whose reason no mean is to be trusted, None where start-up is over. InputError where a snapshot lacks what is needed.
 
     Of several the errors are those of one record as long as all of them: what one piece remembers of the one before is nothing, which in pieces that are longer
     than the memory of what they show changes little. Spectra are not made then.
     """
-    found = [_Rows(samples(each.taken, each.series_chosen)) if each.taken is not None else _measured(each.run, scene, each.chosen, tell)
-             for each, tell in zip(pieces, progress or [None] * len(pieces))]  # fmt: skip
-    rows = _Rows.joined(found)
+    found = [each.rows(scene) for each in pieces]
+    rows = Rows.joined(found)
     times = rows.time
     report = RunReport(len(times), *((float(times.min()), float(times.max())) if len(times) else (math.nan, math.nan)), of_rows=all(each.taken is not None for each in pieces),
                        pieces=len(pieces))  # fmt: skip
@@ -149,27 +115,6 @@ def measure(pieces, scene, progress=None, unsettled=None):
     return report
 
 
-def _measured(run, scene, chosen, progress):
-    """`_Rows` of the snapshots that are chosen."""
-    rows, box = _Rows(), periodic_box.of_run(run)
-    for frame in run.frames(only=(*DATA, WEIGHT)):
-        if not chosen(frame):
-            continue
-        state = frame.load().quantities
-        missing = [name for name in DATA if name not in state]
-        if missing:
-            raise InputError(f"{frame.where}: no data set {' and '.join(missing)}")
-        weight = state.setdefault(WEIGHT, numpy.ones(len(state["diameter"])))
-        for name in (*DATA, WEIGHT):
-            if not numpy.isfinite(state[name]).all():
-                raise InputError(f"{frame.where}: {name} holds NaN or infinite values; end before it by --until")
-        _measure_snapshot(state["position"], state["velocity"], state["diameter"], weight, scene, rows, box)
-        rows.add(time=frame.time)
-        if progress:
-            progress(len(rows.rows["time"]), frame.time)
-    return rows
-
-
 def _distrust(report, reason):
     """Every mean gets `reason` before its own."""
     def less(mean):
@@ -181,44 +126,6 @@ def _distrust(report, reason):
             of.update({component: list(map(less, means)) for component, means in of.items()})
     for some in (report.overlaps, report.voidages, report.series):
         some[:] = [dataclasses.replace(quantity, mean=less(quantity.mean)) for quantity in some]
-
-
-def _measure_snapshot(position, velocity, diameter, weight, scene, rows, box):
-    rows.add(spheres=len(diameter))
-    if scene.windows:
-        moments = (
-            bed_statistics.window_moments(position, velocity, weight, scene.windows, depth == "front_slice")
-            for depth in DEPTHS
-        )
-        number, real, sums, temperatures = zip(*moments)
-        rows.add(number=number, real=real, sums=sums, temperatures=temperatures)
-    if scene.overlaps:
-        values = bed_statistics.overlaps(position, diameter, box)
-        rows.add(
-            pairs=len(values), overlap_counts=bed_statistics.overlap_counts(values), largest=values.max(initial=0.0),
-            below=[numpy.count_nonzero(values < share) for share in scene.overlaps.shares],
-        )
-    if scene.voidage:
-        solid, outside = bed_statistics.solid_fraction(position, diameter, scene.voidage.mesh)
-        voidage = 1 - solid.ravel()
-        edges = numpy.linspace(scene.voidage.lowest, scene.voidage.highest, scene.voidage.bins + 1)
-        counts = _counted(voidage, edges)
-        rows.add(voidage_counts=counts, limit_counts=_counted(voidage, scene.voidage.limits), outside=outside)
-
-
-def _counted(values, edges):
-    """Numbers of values below the first edge, between them, and above the last: [len(edges) + 1].
-
-    A value on an edge belongs to the bin above, on the last one to the bin below it (if there is one): a voidage of 1 is
-    no more than the histogram's end.
-    """
-    edges = numpy.asarray(edges, dtype=float)
-    counts = numpy.bincount(numpy.searchsorted(edges, values, side="right"), minlength=len(edges) + 1)
-    at_end = numpy.count_nonzero(values == edges[-1])
-    if len(edges) > 1:
-        counts[-1] -= at_end
-        counts[-2] += at_end
-    return counts
 
 
 def _windows(report, windows, rows):

@@ -45,11 +45,7 @@ class Sheet:
 
 def of_reported(runs, found):
     """[`Sheet`] of the `Records` and what reporting.reported has found of them."""
-    sheets = []
-    for name, run, report in zip(found.names, runs, found.reports):
-        profile, missing = gas_profile.pressure_profile(run.path, found.range.start, found.range.end)
-        sheets.append(Sheet(name, run_account.of_run(run), report, found.scene, found.range.start, found.range.end, found.range.how, profile, missing))
-    return sheets
+    return [_of_group([run], name, report, found) for name, run, report in zip(found.names, runs, found.reports)]
 
 
 def each_over_its_own_time(groups, starts=None, scene_file=None, every=1, progress=lambda *_: None, snapshots=False, names=None):
@@ -57,7 +53,7 @@ def each_over_its_own_time(groups, starts=None, scene_file=None, every=1, progre
     tools/report finds it) to its own end; what is measured is the same in all. For runs of different length. `names`: None, those of `names_of_groups`."""
     scene, snapshots, notes = reporting.scene_of_all([run for runs in groups for run in runs], scene_file, snapshots or every > 1)
     found = [reporting.reported(runs, start, None, scene_file, every, progress, snapshots, scene, as_one=True) for runs, start in zip(groups, starts or [None] * len(groups))]
-    sheets = [_of_group(runs, name, each) for runs, name, each in zip(groups, names or names_of_groups(groups), found)]
+    sheets = [_of_group(runs, name, each.reports[0], each) for runs, name, each in zip(groups, names or names_of_groups(groups), found)]
     return sheets, list(dict.fromkeys(notes + [note for each in found for note in each.notes]))
 
 
@@ -69,13 +65,13 @@ def names_of_groups(groups):
     return [name if name and short.count(name) == 1 else "+".join(some) for name, some in zip(short, each)]
 
 
-def _of_group(runs, name, found):
-    """The `Sheet` of what reporting.reported has found of runs as one."""
+def _of_group(runs, name, report, found):
+    """The `Sheet` of a run, or of replicates as one, with their `report` among what reporting.reported has `found`."""
     profiles = [gas_profile.pressure_profile(run.path, found.range.start, found.range.end) for run in runs]
     profile, missing = gas_profile.of_replicates([each for each, _ in profiles]), next((why for _, why in profiles if why), "")
     how = found.range.how if len(runs) == 1 else f"{found.range.how}, of each of {len(runs)} runs"
     account = run_account.of_replicates([run_account.of_run(run) for run in runs])
-    return Sheet(name, account, found.reports[0], found.scene, found.range.start, found.range.end, how, profile, missing)
+    return Sheet(name, account, report, found.scene, found.range.start, found.range.end, how, profile, missing)
 
 
 def store(folder, sheets):

@@ -12,7 +12,7 @@ import unittest
 import numpy
 
 import support
-from interphase import reporting, run_report
+from interphase import record_samples, reporting
 from interphase.statistics_rows import samples, scene_of_rows, statistics_rows
 from resumed_run import ResumedRun
 
@@ -45,7 +45,7 @@ class Statistics(ResumedRun, support.ProgramTest):
         run = reporting.opened(folder)
         rows = statistics_rows(run)
         scene = dataclasses.replace(scene_of_rows(rows, (50,)), voidage=None)  # of snapshots it is another one
-        measured = run_report._measured(run, scene, lambda frame: True, None)
+        measured = record_samples.of_snapshots(run, scene, lambda frame: True)
         taken = samples(rows, lambda time: True)
         self.assertGreater(len(rows.time), 15)
         numpy.testing.assert_array_equal(measured.time, taken["time"])

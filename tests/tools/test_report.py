@@ -17,7 +17,7 @@ import h5py
 import numpy
 
 import interphase
-from interphase import bed_statistics, report_output, report_scene, report_table, reporting, run_report, time_statistics as statistics, trade
+from interphase import bed_statistics, record_samples, report_scene, report_table, reporting, time_statistics as statistics
 from interphase.box_mesh import BoxMesh, box_mesh
 from interphase.commands import report as report_tool
 from interphase.input_error import InputError
@@ -244,7 +244,7 @@ class RowsOfTheRun(Folder):
         self.write(name, "system/couplingDict", '#include "$FOAM_CASE/parameters"\n' + STATISTICS)
         records = reporting.opened(run)
         windows = report_scene.Windows(2, 0.0, 0.2, 0.15, 0.1, 0.0, 0.01)
-        measured = run_report._measured(records, report_scene.Scene(windows, report_scene.Overlaps((0.0025, 0.01), (50,)), None), lambda _: True, None)
+        measured = record_samples.of_snapshots(records, report_scene.Scene(windows, report_scene.Overlaps((0.0025, 0.01), (50,)), None), lambda _: True)
         with h5py.File(os.path.join(run, "results.h5"), "a") as file:
             group = file.create_group("statistics")
             for name_, value in (("count", 2), ("left", 0.0), ("right", 0.2), ("centre", 0.15), ("height", 0.1), ("front", 0.0), ("front_depth", 0.01)):
@@ -287,47 +287,6 @@ class RowsOfTheRun(Folder):
     def test_a_run_without_rows_beside_one_that_has_them(self):
         runs = self.with_rows("one"), self.run_of("two", 60)
         self.assertIn("two without rows of /statistics: all is measured of snapshots", self.report(*runs, "--no-write"))
-
-
-class Pooled(Folder):
-    """Runs that begin elsewhere, as one record in pieces."""
-
-    def numbers(self, *given):
-        """{name: Mean} of the first sheet that --store writes."""
-        self.report(*given, "--no-write", "--from", "1", "--store", os.path.join(self.root, "stored"))
-        sheets = report_output.stored([os.path.join(self.root, "stored")])
-        return sheets, {f"{name}, {at}": mean for name, (_, means) in trade.quantities(sheets[0].report, "full_depth").items() for at, mean in enumerate(means)}
-
-    def test_are_one_record(self):
-        runs = [self.run_of(f"bed_from-{seed}", 100, seed) for seed in (1, 2, 3)]
-        (sheet,), together = self.numbers(*runs, "--pool")
-        self.assertEqual((sheet.name, sheet.report.pieces, sheet.report.snapshots, sheet.report.rows[0]), ("bed", 3, 240, 240))
-        self.assertEqual((sheet.start, sheet.end), (1, 4.95))
-        self.assertIsNone(sheet.report.spectrum)
-        for run in runs:
-            self.assertIn(os.path.basename(run), sheet.account.folder)
-        shutil.rmtree(os.path.join(self.root, "stored"))
-        alone = []
-        for run in runs:
-            alone.append(self.numbers(run)[1])
-            shutil.rmtree(os.path.join(self.root, "stored"))
-        for name in ("pressure drop, 0", "bed height, 0", "kinetic energy, 0", "voidage, 0", "granular temperature, 1"):
-            numpy.testing.assert_allclose(together[name].value, numpy.mean([each[name].value for each in alone]), 1e-6, err_msg=name)  # seven digits are stored
-        # a third of the variance, or so: each error is known to some 8 degrees of freedom
-        self.assertLess(together["pressure drop, 0"].error, numpy.mean([each["pressure drop, 0"].error for each in alone]))
-        self.assertFalse(together["pressure drop, 0"].reason)
-
-    def test_beside_another_run(self):
-        runs = [self.run_of(f"bed-{seed}", 60, seed) for seed in (1, 2)]
-        text = self.report(*runs, self.run_of("parcels", 80, 4, weight=8.0), "--pool", "--no-write", "--from", "1")
-        self.assertRegex(text, r"A: bed\b")
-        self.assertRegex(text, r"B: parcels\b")
-        self.assertRegex(text, r"no spectrum of the pressure drop: the record is in pieces")
-
-    def test_nothing_to_pool_is_refused(self):
-        runs = self.run_of("one", 60), self.run_of("two", 60, weight=8.0)
-        self.assertIn("no two of the runs are alike", self.report(*runs, "--pool", code=2))
-        self.assertIn("--pool and --until", self.report(*runs, "--pool", "--until", "2", code=2))
 
 
 class WithoutConfiguration(Folder):

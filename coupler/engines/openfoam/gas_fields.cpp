@@ -7,6 +7,7 @@
 #include "base/user_error.hpp"
 #include "engines/openfoam/fields_of_others.hpp"
 #include "engines/openfoam/gas_state.hpp"
+#include "engines/openfoam/to_eigen.hpp"
 #include "fixedValueFvPatchFields.H"
 #include "fvcFlux.H"
 #include "fvcGrad.H"
@@ -194,8 +195,8 @@ Box GasFields::bounds() const
 {
     const boundBox& all = mesh_.bounds();
     Box box;
-    box.col(0) = Vector(all.min().x(), all.min().y(), all.min().z());
-    box.col(1) = Vector(all.max().x(), all.max().y(), all.max().z());
+    box.col(0) = to_eigen(all.min());
+    box.col(1) = to_eigen(all.max());
     return box;
 }
 

@@ -9,6 +9,7 @@
 #include "base/problem.hpp"
 #include "base/text.hpp"
 #include "cyclicPolyPatch.H"
+#include "engines/openfoam/to_eigen.hpp"
 #include "processorPolyPatch.H"
 #include "syncTools.H"
 
@@ -18,8 +19,6 @@ namespace {
 
 using Foam::coupledPolyPatch;
 using Foam::polyPatch;
-
-Vector to_eigen(const Foam::vector& v) { return {v.x(), v.y(), v.z()}; }
 
 Problem unmatched(const polyPatch& patch, const std::string& why)
 {

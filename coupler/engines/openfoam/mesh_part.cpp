@@ -6,6 +6,7 @@
 #include "base/communicator.hpp"
 #include "cyclicPolyPatch.H"
 #include "engines/openfoam/mesh_faces.hpp"
+#include "engines/openfoam/to_eigen.hpp"
 #include "processorCyclicPolyPatch.H"
 #include "processorPolyPatch.H"
 #include "syncTools.H"
@@ -17,8 +18,6 @@ namespace {
 
 /// A particle moves by a cell or so between searches; a longer walk is a far jump, which the octree finds faster.
 constexpr int longest_walk = 20;
-
-Vector to_eigen(const Foam::point& p) { return {p.x(), p.y(), p.z()}; }
 
 }  // namespace
 

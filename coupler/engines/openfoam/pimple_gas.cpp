@@ -6,6 +6,7 @@
 #include "constrainHbyA.H"
 #include "constrainPressure.H"
 #include "engines/openfoam/gas_state.hpp"
+#include "engines/openfoam/to_eigen.hpp"
 #include "findRefCell.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
 #include "fixedValueFvPatchFields.H"
@@ -273,11 +274,7 @@ std::vector<OpenFace> PimpleGas::open_faces() const
         const polyPatch& shape = mesh_.boundaryMesh()[patch];
         if (shape.coupled() || isA<wallPolyPatch>(shape) || polyPatch::constraintType(shape.type())) continue;
         const vectorField normals(mesh_.boundary()[patch].nf());
-        forAll(normals, face)
-        {
-            const vector& out = normals[face];
-            all.push_back({static_cast<int>(shape.faceCells()[face]), Vector(out.x(), out.y(), out.z())});
-        }
+        forAll(normals, face) all.push_back({static_cast<int>(shape.faceCells()[face]), to_eigen(normals[face])});
     }
     return all;
 }

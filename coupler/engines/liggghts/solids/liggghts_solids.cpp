@@ -83,7 +83,6 @@ LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& setting
     remarks_ = std::make_unique<SceneRemarks>(comm_, *lmp_, settings_, plugins_);
     const PluginFixes of_plugins(*lmp_, plugins_, settings_.script);
     counters_ = std::make_unique<PluginCounters>(of_plugins, plugins_, settings_.script);
-    has_plugin_fixes_ = of_plugins.any();
     step_limit_ = of_plugins.step_limit(comm_);
     solid_stress_ = of_plugins.solid_stress();
     moves_come_first_ = of_plugins.say(extract_moves_before_forces);
@@ -119,7 +118,7 @@ std::vector<PluginBuild> LiggghtsSolids::plugins_in_use() const
 {
     std::vector<PluginBuild> all;
     // a plug-in without fixes may serve the fixes of another
-    if (!has_plugin_fixes_ && settings_.commands.empty()) return all;
+    if (!PluginFixes(*lmp_, plugins_, settings_.script).any() && settings_.commands.empty()) return all;
     all.reserve(plugins_.size());
     for (const LoadedPlugin& plugin : plugins_)
         all.push_back({plugin.name, plugin.file, plugin.sha256});

@@ -100,7 +100,7 @@ private:
     std::unique_ptr<PluginCounters> counters_;
     std::optional<double> contact_duration_, rayleigh_time_, step_limit_;
     SolidStress* solid_stress_ = nullptr;  ///< a fix's
-    bool has_plugin_fixes_ = false, moves_come_first_ = false, takes_new_forces_ = false;
+    bool moves_come_first_ = false, takes_new_forces_ = false;
     Vector gravity_ = Vector::Zero();
     std::unique_ptr<SceneRemarks> remarks_;
     Archive* kept_ = nullptr;  ///< that this run is to go on from
