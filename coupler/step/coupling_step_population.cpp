@@ -20,7 +20,7 @@ void add_gas(Passage& passage, const Gas& gas, const Scalars& volume)
     const GasProperty density = gas.density();
     for (std::size_t c = 0; c < volume.size(); ++c) {
         if (volume[c] == 0) continue;
-        const double mass = volume[c] * (density.varies() ? density.of_cells[c] : density.uniform);
+        const double mass = volume[c] * density.in(c);
         passage.volume += volume[c];
         for (std::size_t axis = 0; axis < 3; ++axis)
             passage.momentum[axis] += mass * velocity[3 * c + axis];

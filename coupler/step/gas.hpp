@@ -56,6 +56,7 @@ struct GasProperty {
     GasProperty(Scalars of_each_cell) : of_cells(std::move(of_each_cell)) {}
 
     bool varies() const { return !of_cells.empty(); }
+    double in(std::size_t cell) const { return varies() ? of_cells[cell] : uniform; }
 
     double uniform = 0;
     Scalars of_cells;  ///< empty where it is uniform

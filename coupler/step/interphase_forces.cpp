@@ -72,8 +72,7 @@ void InterphaseForces::look_at_gas(const Visitors& visitors, const Scalars& void
     if (density.varies() || viscosity.varies()) {
         std::vector<PropertiesHere> properties(cells);
         for (std::size_t c = 0; c < cells; ++c)
-            properties[c] = {density.varies() ? density.of_cells[c] : density.uniform,
-                             viscosity.varies() ? viscosity.of_cells[c] : viscosity.uniform};
+            properties[c] = {density.in(c), viscosity.in(c)};
         mapping_.interpolate(std::move(properties), properties_);
     } else
         properties_.assign(1, {density.uniform, viscosity.uniform});

@@ -29,6 +29,7 @@ void OutletWatch::observe(const Visitors& visitors, const Scalars& voidage, cons
     if (outwards.empty()) return;
 
     const Scalars gas_velocity = gas_.velocity();
+    const GasProperty density = gas_.density();
     for (std::size_t i = 0; i < visitors.size(); ++i) {
         const auto found = outwards.find(visitors.cell[i]);
         if (found == outwards.end()) continue;
@@ -38,8 +39,9 @@ void OutletWatch::observe(const Visitors& visitors, const Scalars& voidage, cons
         const Vector velocity = to_vector(visitor.velocity);
         const double leaves = vector_at(gas_velocity, c).dot(out);
         if (leaves <= 0 || velocity.norm() > at_rest * leaves) continue;
-        const double weight = -(1 - voidage[c]) * visitor.mass / visitor.volume * gravity_.dot(out);  // [N/m3]
-        if (-vector_at(pressure_gradient, c).dot(out) > weight) ++held_;
+        // the full pressure bears the fluid's own weight, too
+        const double mass = (1 - voidage[c]) * visitor.mass / visitor.volume + voidage[c] * density.in(c);  // [kg/m3]
+        if (-vector_at(pressure_gradient, c).dot(out) > -mass * gravity_.dot(out)) ++held_;
     }
 }
 

@@ -15,10 +15,10 @@ COUNTED = r"particles held under an outlet by the gas +([\d,]+)(?: +([\d.]+) % +
 
 
 class Held(support.ProgramTest):
-    def ended(self, velocity, above, method="TDHS", ranks=1):
+    def ended(self, velocity, above, method="TDHS", ranks=1, edits=(), **settings):
         lines, _ = vessel.bed(LAYERS, above)
-        root = tempfile.mkdtemp(dir=self.root)
-        return self.run_case(vessel.prepared(self, vessel.case(root, lines), method, ranks, 0.06, inletVelocity=velocity), ranks)
+        folder = vessel.case(tempfile.mkdtemp(dir=self.root), lines, edits=edits)
+        return self.run_case(vessel.prepared(self, folder, method, ranks, 0.06, inletVelocity=velocity, **settings), ranks)
 
     def counted(self, done):
         """Particles held, step by step, their share [%], and whether to look at it; the same number is in the records."""
@@ -36,6 +36,19 @@ class Held(support.ProgramTest):
                 _, share, look = self.counted(done)
                 self.assertGreater(share, 20)
                 self.assertLess(share, 45)
+                self.assertTrue(look)
+
+    def test_by_other_steps_and_cells(self):
+        """Cells of 9.6 mm hold five of the ten layers."""
+        for name, edits, settings, most in (
+            ("steps of 0.4 ms", (), {"system/controlDict:deltaT": 4e-4}, 45),
+            ("steps of 2 ms", (), {"system/controlDict:deltaT": 2e-3}, 45),
+            ("cells of 8 x 8 x 9.6 mm", [("system/blockMeshDict", r"\(8 4 16\)", "(6 3 10)")], {}, 60),
+        ):
+            with self.subTest(name):
+                _, share, look = self.counted(self.ended(2.5, ALL_LAYERS - LAYERS, edits=edits, **settings))
+                self.assertGreater(share, 20)
+                self.assertLess(share, most)
                 self.assertTrue(look)
 
     def test_what_falls_or_lies_below_is_not(self):
