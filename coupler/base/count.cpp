@@ -34,27 +34,32 @@ std::optional<double> weighed_share(const Count& count, const Wholes& wholes)
     return all > 0 ? std::optional(count.off / all) : std::nullopt;
 }
 
-std::string verdict(const Count& count, const Wholes& wholes)
+bool to_be_looked_at(const Count& count, const Wholes& wholes)
 {
-    if (count.value == 0) return "";
     switch (count.kind->worry) {
         case Worry::never:
-            return "ordinary";
+            return false;
         case Worry::any:
-            return "look at it";
+            return count.value > 0;
         case Worry::above:
-            return count.value > count.kind->limit ? "look at it" : "ordinary";
+            return count.value > count.kind->limit;
         case Worry::share:
             break;
     }
+    return weighed_share(count, wholes).value_or(0) > tolerable_share;
+}
+
+std::string verdict(const Count& count, const Wholes& wholes)
+{
+    if (count.value == 0) return "";
+    const bool look = to_be_looked_at(count, wholes);
+    const std::string words = look ? "look at it" : "ordinary";
+    if (count.kind->worry != Worry::share) return words;
     const std::optional<double> share = weighed_share(count, wholes);
     if (!share) return "";
     const bool weighed = count.off != static_cast<double>(count.number);
-    const std::string limit = percent(tolerable_share);
-    if (weighed)
-        return (*share > tolerable_share ? "look at it: moves a mean by up to " : "ordinary: moves a mean by up to ") +
-               percent(*share);
-    return *share > tolerable_share ? "look at it: above " + limit : "ordinary: below " + limit;
+    if (weighed) return words + ": moves a mean by up to " + percent(*share);
+    return words + (look ? ": above " : ": below ") + percent(tolerable_share);
 }
 
 std::string name_of(Whole whole)

@@ -68,6 +68,9 @@ std::optional<double> share_of(const Count& count, const Wholes& wholes);
 /// What the share comes to in a mean of all; none where there is no whole.
 std::optional<double> weighed_share(const Count& count, const Wholes& wholes);
 
+/// Whether it is one to worry about.
+bool to_be_looked_at(const Count& count, const Wholes& wholes);
+
 /// "ordinary", "look at it: ..."; empty where there is none.
 std::string verdict(const Count& count, const Wholes& wholes);
 

@@ -94,6 +94,22 @@ void CoupledRun::tell_own_warnings() const
             report_.warn(of->engine() + " warns: " + words + "\n  where:  " + of->log());
 }
 
+/// Of all that is counted in every gas step.
+std::vector<Count> CoupledRun::counts() const
+{
+    std::vector<Count> all = coupling_ ? coupling_->counts() : std::vector<Count>();
+    const std::vector<Count> of_plugins = solids_->counters();
+    all.insert(all.end(), of_plugins.begin(), of_plugins.end());
+    return all;
+}
+
+void CoupledRun::tell_counts()
+{
+    if (++steps_ % CountNews::steps_between_looks != 0) return;
+    for (const std::string& words : count_news_.of(counts(), wholes()))
+        report_.note("t = " + text(case_.time()) + " s: " + words);
+}
+
 void CoupledRun::describe_run()
 {
     const std::optional<double> contact = solids_->contact_duration();
@@ -119,6 +135,7 @@ int CoupledRun::run()
         const bool goes_on = kept_.has_value();
         if (goes_on) go_on();
         bool nothing_new = goes_on && records_->hold_this_moment();
+        count_news_.begin_with(counts(), wholes());
         records_->describe(clock_.solid_step(), gas_step_);
         if (!goes_on) record(true);
         while (case_.running()) {
@@ -213,6 +230,7 @@ void CoupledRun::step()
     stopwatch_.switch_to(Phase::output);
     if (coupling_ && !coupling_->news().empty()) report_.warn(coupling_->news());
     tell_warnings();
+    tell_counts();
     records_->add_ledger_row();
     record(false);
 }

@@ -8,6 +8,7 @@
 #include "base/exit_code.hpp"
 #include "run/checkpoint.hpp"
 #include "run/checkpoint_schedule.hpp"
+#include "run/count_news.hpp"
 #include "run/gas_case.hpp"
 #include "run/lockstep_clock.hpp"
 #include "run/particle_engine.hpp"
@@ -43,6 +44,8 @@ private:
     std::vector<EngineWarnings*> warners() const;
     void tell_warnings();
     void tell_own_warnings() const;
+    std::vector<Count> counts() const;
+    void tell_counts();
     void step();
     void follow_end_time();
     long steps_until(double end) const;
@@ -78,6 +81,8 @@ private:
     Population at_start_;
     std::optional<RunRecords> records_;
     Report report_;
+    CountNews count_news_;
+    long steps_ = 0;  ///< gas steps, of this part of the run
     double gas_step_ = 0;
     std::optional<SignalRequests> requests_;  ///< while it runs
     int signal_ = 0;                          ///< that ends the run, the same on all ranks

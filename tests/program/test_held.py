@@ -13,6 +13,8 @@ import vessel
 LAYERS, ALL_LAYERS = 10, int(vessel.HEIGHT / (1.02 * vessel.DIAMETER))
 COUNTED = r"particles held under an outlet by the gas +([\d,]+)(?: +([\d.]+) % +(look at it)?)?"
 
+TOLD = r't = 0\.04 s: look at "particles held under an outlet by the gas": [\d,]+, (2|3|4)\d %, in the last 100 gas steps'
+
 
 class Held(support.ProgramTest):
     def ended(self, velocity, above, method="TDHS", ranks=1, edits=(), **settings):
@@ -46,7 +48,10 @@ class Held(support.ProgramTest):
             ("cells of 8 x 8 x 9.6 mm", [("system/blockMeshDict", r"\(8 4 16\)", "(6 3 10)")], {}, 60),
         ):
             with self.subTest(name):
-                _, share, look = self.counted(self.ended(2.5, ALL_LAYERS - LAYERS, edits=edits, **settings))
+                done = self.ended(2.5, ALL_LAYERS - LAYERS, edits=edits, **settings)
+                _, share, look = self.counted(done)
+                told = 0.06 >= 100 * settings.get("system/controlDict:deltaT", 1e-3)
+                self.assertEqual(len(re.findall(TOLD, done.out)), told)
                 self.assertGreater(share, 20)
                 self.assertLess(share, most)
                 self.assertTrue(look)
@@ -56,6 +61,7 @@ class Held(support.ProgramTest):
             with self.subTest(name):
                 done = self.ended(velocity, above)
                 self.assertEqual(self.counted(done)[0], 0)
+                self.assertNotIn("particles held under an outlet by the gas\"", done.out)
 
 
 if __name__ == "__main__":
