@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What methods were measured to get wrong, scene by scene, and what of it says something of another scene.
 
-A table is a CSV file with the columns of `Trade`: trades.csv beside this file, and those that stand as study/trades.csv in a case's folder.
+A table is a CSV file with the columns of `Trade`: trades.csv beside this file, and those that stand as trades.csv in the folder `study` of a case, or in one below it.
 """
 
 import csv
@@ -98,8 +98,8 @@ def _trade(row, where):
 
 def everything():
     """All `Trade`s in the tree."""
-    paths = [COMMON, *sorted(glob.glob(os.path.join(CASES, "*", "study", "trades.csv")))]
-    return [trade for path in paths for trade in read(path)]
+    paths = [COMMON, *sorted(glob.glob(os.path.join(CASES, "*", "study", "**", "trades.csv"), recursive=True))]
+    return list(dict.fromkeys(trade for path in paths for trade in read(path)))  # a run may be in two tables
 
 
 def quantities(trades):

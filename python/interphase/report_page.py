@@ -164,8 +164,9 @@ class Page:
         """A sentence a run: how much cheaper, how far, and what is not decided."""
         base = self.points[0].cost
         for point in self.points[1:]:
-            cheaper = f"costs 1/{base.value / point.cost.value:.3g} of {self.names[0]}; " if base and point.cost else ""
-            yield f"{point.name}: {cheaper}{trade.words_on(self.distances[point.name])}."
+            ratio = base.value / point.cost.value if base and point.cost else None
+            costs = "" if ratio is None else f"costs 1/{ratio:.3g} of {self.names[0]}; " if ratio > 1 else f"costs {1 / ratio:.3g} times {self.names[0]}; "
+            yield f"{point.name}: {costs}{trade.words_on(self.distances[point.name])}."
 
     def _numbers(self):
         sections = [report_table.quantities(report, self.depth) for report in self.reports]

@@ -11,7 +11,7 @@ from typing import Optional
 
 import numpy
 
-from interphase import bed_statistics, time_statistics as statistics
+from interphase import bed_statistics, report_means, time_statistics as statistics
 from interphase.input_error import InputError
 from interphase.record_samples import Rows
 from interphase.run import NO_PRESSURE_DROP
@@ -92,10 +92,20 @@ def measure(pieces, scene, unsettled=None):
 
     `unsettled`: the `StartUp` for whose reason no mean is to be trusted, None where start-up is over. InputError where a snapshot lacks what is needed.
 
-    Of several the errors are those of one record as long as all of them: what one piece remembers of the one before is nothing, which in pieces that are longer
-    than the memory of what they show changes little. Spectra are not made then.
+    Of several, errors are as time_statistics.of_replicates has them, and spectra are not made.
     """
     found = [each.rows(scene) for each in pieces]
+    report = _of(pieces, found, scene)
+    if len(pieces) > 1:
+        report_means.take_scatter_in(report, [_of([piece], [rows], scene) for piece, rows in zip(pieces, found)])
+    if unsettled is not None:
+        report.needed = unsettled.needed
+        report_means.distrust(report, f"start-up not known to be over: {unsettled.reason}")
+    return report
+
+
+def _of(pieces, found, scene):
+    """The `RunReport` of pieces as one record, of which the `Rows` are `found`."""
     rows = Rows.joined(found)
     times = rows.time
     report = RunReport(len(times), *((float(times.min()), float(times.max())) if len(times) else (math.nan, math.nan)), of_rows=all(each.taken is not None for each in pieces),
@@ -109,23 +119,7 @@ def measure(pieces, scene, unsettled=None):
         _voidage(report, scene.voidage, rows)
     _series(report, pieces)
     report.recorded = max(each.run.last_time() for each in pieces)
-    if unsettled is not None:
-        report.needed = unsettled.needed
-        _distrust(report, f"start-up not known to be over: {unsettled.reason}")
     return report
-
-
-def _distrust(report, reason):
-    """Every mean gets `reason` before its own."""
-    def less(mean):
-        return mean and dataclasses.replace(mean, reason="; ".join(filter(None, (reason, mean.reason))))
-
-    for profile in report.profiles.values():
-        profile.number, profile.temperature = list(map(less, profile.number)), list(map(less, profile.temperature))
-        for of in (profile.velocity, profile.temperature_of):
-            of.update({component: list(map(less, means)) for component, means in of.items()})
-    for some in (report.overlaps, report.voidages, report.series):
-        some[:] = [dataclasses.replace(quantity, mean=less(quantity.mean)) for quantity in some]
 
 
 def _windows(report, windows, rows):

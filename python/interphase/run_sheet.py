@@ -10,7 +10,7 @@ import importlib
 import json
 import math
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Optional
 
 import numpy
@@ -30,6 +30,7 @@ MOST_ROWS = 600  # of a series that is kept for its curve
 @dataclass(frozen=True)
 class Sheet:
     """`name` of the run; what it was (`account`) and measured (`report`, of `scene`) from `start` to `end` [s], a range that came about by `how`.
+    `likeness`: by which tools/plan finds scenes that are near (trades_of_runs.likeness), {} where it was not asked for.
     `profile`: (height, pressure, error) of the gas's mean pressure, None where `profile_missing` says why."""
 
     name: str
@@ -41,6 +42,7 @@ class Sheet:
     how: str
     profile: Optional[tuple] = None
     profile_missing: str = ""
+    likeness: dict = field(default_factory=dict)
 
 
 def of_reported(runs, found):

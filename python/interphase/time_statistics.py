@@ -241,6 +241,33 @@ def deviation_with_error(values):
                                longer=max(square.longer, mean.longer), memory=max(square.memory, mean.memory), drifts=mean.drifts or square.drifts)
 
 
+def of_replicates(joined, parts):
+    """The `Mean` of independent records, replicates, from that of all of them one after the other, `joined`, and that of each, `parts`; `joined` as it is where a part is None.
+
+    Two errors are known: that of the joined record by its ups and downs, of many degrees of freedom, which knows no motion that is slower than a part; and that by the scatter of
+    the parts (A. M. Law, W. D. Kelton, Simulation Modeling and Analysis, 1991, sec. 9.5.2), which has only one less than there are parts. The one with the longer 95 % bar is taken.
+    By the first one alone bars of three parts of 1.8 s cover 76 % where a tenth of the variance has a memory of 3 s. By scatter, `reason` is empty: what the parts remember, of
+    where they begin as well, is in it.
+    """
+    if len(parts) < 2 or any(part is None for part in parts):
+        return joined
+    weights = numpy.array([part.samples for part in parts], dtype=float)
+    weights /= weights.sum()
+    values = numpy.array([part.value for part in parts])
+    left = len(parts) - 1
+    scatter = math.sqrt(float(weights**2 @ (values - weights @ values) ** 2) * len(parts) / left)
+    if not _bar(scatter, left) > _bar(joined.error, joined.freedom) and not math.isnan(joined.error):
+        return joined
+    effective = (joined.deviation / scatter) ** 2 if scatter else float(joined.samples)
+    return dataclasses.replace(joined, error=scatter, freedom=float(left), effective=effective, time=joined.samples / effective / 2 if effective else joined.time,
+                               reason="", longer=1.0)  # fmt: skip
+
+
+def _bar(error, freedom):
+    """Half of the 95 % bar."""
+    return error * float(stats.t.isf(0.025, freedom))
+
+
 def difference(a, b):
     """`MeanDifference` of two `Mean`s of independent series, by Welch's t test (Biometrika 34 (1947) 28)."""
     value = b.value - a.value

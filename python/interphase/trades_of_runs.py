@@ -2,36 +2,52 @@
 """Lines of evidence for tools/plan, made of runs that were measured: how far each lies off its reference, in which scene."""
 
 import csv
+import dataclasses
 import io
 import math
 
 from interphase import evidence, plan_scene, trade, whole_file
 from interphase.evidence import Trade
+from interphase.input_error import InputError
 from interphase.run import Run
 from interphase.run_report import FREQUENCY
 
 PERCENTILE = "overlap, percentile 97"
+STEPS = "steps_per_collision"
 
 
-def trades_of(sheets, folders, depth):
-    """[`Trade`] of each `run_sheet.Sheet` but the first, the reference; `folders` {name: path} of the runs, for what the scene is in numbers. What has no error that is
-    to be trusted is no evidence and is left out."""
+def likeness(folder, account):
+    """{name: number or None} of the run in `folder`, of which `account` tells the weight: what evidence.NEAR compares, and STEPS of the solids in a collision (None where
+    collisions have no duration). All None where the folder does not tell what the scene is."""
+    run = Run(folder)
+    duration = float(run.meta.get("contact_duration", math.nan))
+    steps = float(f"{duration / account.solid_step:.3g}") if duration > 0 and math.isfinite(duration) else None
+    try:
+        scene = plan_scene.of_run(run).of_parcels(account.weight)
+    except (InputError, OSError, KeyError):
+        scene = dict.fromkeys(evidence.NEAR)
+    return {STEPS: steps, **scene}
+
+
+def with_likeness(sheets, folders):
+    """The `run_sheet.Sheet`s, each with the likeness of its run; `folders` {name: path}."""
+    return [dataclasses.replace(sheet, likeness=likeness(folders[sheet.name], sheet.account)) for sheet in sheets]
+
+
+def trades_of(sheets, depth):
+    """[`Trade`] of each `run_sheet.Sheet` but the first, the reference. What has no error that is to be trusted is no evidence and is left out, and so is a run without a gas,
+    or a weight: nothing near can be found then. InputError where one was stored without its likeness."""
     reference, found = sheets[0], []
     for sheet in sheets[1:]:
-        run = Run(folders[sheet.name])
-        scene = plan_scene.of_run(run).of_parcels(sheet.account.weight)
-        if not all(scene.values()):
-            continue  # without a gas, or a weight, nothing near can be found
+        if not sheet.likeness:
+            raise InputError(f"--trades: {sheet.name} was stored by a version that did not keep what tools/plan compares; store it again: tools/report RUN --store DIR")
+        if not all(sheet.likeness[name] for name in evidence.NEAR):
+            continue
+        account = sheet.account
         for quantity, (deviation, error) in _deviations(reference.report, sheet.report, depth).items():
-            found.append(Trade(sheet.account.case, sheet.account.method, sheet.account.weight, _steps(run, sheet), quantity, deviation, error, reference.account.method,
-                               command=sheet.account.command, **scene))  # fmt: skip
+            found.append(Trade(scene=account.case, method=account.method, weight=account.weight, quantity=quantity, deviation=deviation, error=error,
+                               reference=reference.account.method, command=account.command, **sheet.likeness))  # fmt: skip
     return found
-
-
-def _steps(run, sheet):
-    """Solid steps in a collision; None where collisions have no duration."""
-    duration = float(run.meta.get("contact_duration", math.nan))
-    return float(f"{duration / sheet.account.solid_step:.3g}") if duration > 0 and math.isfinite(duration) else None
 
 
 def _deviations(reference, report, depth):
@@ -77,5 +93,5 @@ def write(path, trades):
     rows.writerow(evidence.COLUMNS)
     for each in trades:
         values = [getattr(each, name) for name in evidence.COLUMNS]
-        rows.writerow(["" if value is None else f"{value:.4g}" if isinstance(value, float) else value for value in values])
+        rows.writerow(["" if value is None else f"{value:.4g}" if isinstance(value, (int, float)) else value for value in values])
     whole_file.write(path, stream.getvalue())

@@ -67,13 +67,29 @@ class Means(unittest.TestCase):
             left = [each[truncation(each):] for each in rows]
             self.check(f"slugs after a start-up of {by} deviations, found", map(statistics.mean_with_error, left))
 
-    def test_a_record_in_pieces(self):
-        """Replicates of 1.8 s one after the other, as tools/report --pool takes them: slugs of 3 Hz that ring 0.5 s, alone and with a slow tenth."""
+    def test_replicates(self):
+        """Of 1.8 s each, as tools/report --pool takes them: slugs of 3 Hz that ring 0.5 s, alone and beside slow motions, which the parts do not show by themselves."""
         random = numpy.random.default_rng(11)
-        for pieces in (4, 8):
-            slugs, slow = (records(random, decay, period, 0.005, 1.8, RECORDS * pieces).reshape(RECORDS, -1) for decay, period in ((0.5, 1 / 3), (0.3, None)))
-            self.check(f"slugs of 3 Hz in {pieces} pieces of 1.8 s", map(statistics.mean_with_error, slugs))
-            self.check(f"the same with a slow tenth, {pieces} pieces", map(statistics.mean_with_error, slugs + math.sqrt(0.1) * slow))
+        for parts in (3, 4, 8):
+            slugs = records(random, 0.5, 1 / 3, 0.005, 1.8, RECORDS * parts)
+            for share, decay in ((0.0, None), (0.1, 0.3), (0.1, 3.0), (0.5, 10.0)):
+                both = slugs + math.sqrt(share / (1 - share)) * records(random, decay, None, 0.005, 1.8, RECORDS * parts) if share else slugs
+                beside = f" beside {share:g} of the variance that decays in {decay:g} s" if share else ""
+                self.check(f"{parts} times 1.8 s of slugs of 3 Hz{beside}", (self.replicated(each) for each in both.reshape(RECORDS, parts, -1)))
+
+    def replicated(self, parts):
+        return statistics.of_replicates(statistics.mean_with_error(parts.reshape(-1)), [statistics.mean_with_error(part) for part in parts])
+
+    def test_replicates_that_agree_are_one_record(self):
+        """Twelve decays of 50 times the memory: the joined record's bar is the shorter one in half of all draws or so; it is taken where it is the longer one."""
+        random = numpy.random.default_rng(12)
+        joined = 0
+        for each in records(random, 0.3, None, 0.05, 15, 12 * 40).reshape(40, 12, -1):
+            one = statistics.mean_with_error(each.reshape(-1))
+            found = self.replicated(each)
+            joined += found == one
+            self.assertGreaterEqual(found.error * student.ppf(0.975, found.freedom), one.error * student.ppf(0.975, one.freedom) * (1 - 1e-12))
+        self.assertTrue(8 <= joined <= 32, joined)  # 40 draws of about one half: +- 12 is 3.8 deviations
 
     def test_the_sampling_rate_does_not_matter(self):
         """The same records at 1 kHz and each 50th row of them: errors alike within a fifth of themselves, and in the mean within 3 %."""

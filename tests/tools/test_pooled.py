@@ -6,6 +6,7 @@ import shutil
 import unittest
 
 import numpy
+from scipy.stats import t as student
 
 from interphase import report_output, trade
 from test_report import Folder
@@ -33,6 +34,9 @@ class Pooled(Folder):
             shutil.rmtree(os.path.join(self.root, "stored"))
         for name in ("pressure drop, 0", "bed height, 0", "kinetic energy, 0", "voidage, 0", "granular temperature, 1"):
             numpy.testing.assert_allclose(together[name].value, numpy.mean([each[name].value for each in alone]), 1e-6, err_msg=name)  # seven digits are stored
+        for name, mean in together.items():  # each knows of the scatter
+            scatter = numpy.std([each[name].value for each in alone], ddof=1) / 3**0.5 * student.ppf(0.975, 2)
+            self.assertGreaterEqual(mean.error * student.ppf(0.975, mean.freedom), scatter * (1 - 1e-3), name)  # ratios of sums weigh the parts a little otherwise
         # a third of the variance, or so: each error is known to some 8 degrees of freedom
         self.assertLess(together["pressure drop, 0"].error, numpy.mean([each["pressure drop, 0"].error for each in alone]))
         self.assertFalse(together["pressure drop, 0"].reason)

@@ -1,18 +1,29 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Evidence made of measured runs: shares of the reference with errors, what is not trusted left out, and read again as it was written."""
 
+import contextlib
 import dataclasses
+import io
 import math
 import os
 import unittest
 
 import numpy
 
-from interphase import evidence, trades_of_runs
+from interphase import evidence, run_sheet, trades_of_runs
+from interphase.commands import report as tools_report
 from interphase.evidence import Trade
+from interphase.input_error import InputError
 from interphase.run_report import FREQUENCY, Quantity, RunReport
 from scratch import InFolder
+from interphase.tree import CASES
 from test_trade import mean
+
+STUDY = os.path.join(CASES, "sscp1", "study", "2.19")
+SLICE = os.path.join(CASES, "sscp1-slice", "study")
+# The tables in the tree, and what they are made of.
+TABLES = {os.path.join(folder, "trades.csv"): [folder] for folder in (STUDY, STUDY.replace("2.19", "3.28"), STUDY.replace("2.19", "4.38"), SLICE)}
+TABLES.update({os.path.join(SLICE, name, "trades.csv"): [os.path.join(SLICE, "slice-DEM.sheet.json"), os.path.join(SLICE, name)] for name in ("weights", "steps")})
 
 
 def report(**values):
@@ -52,6 +63,31 @@ class Table(InFolder):
         trades = [first, dataclasses.replace(first, method="MPPIC", steps_per_collision=None)]
         trades_of_runs.write(path, trades)
         self.assertEqual(evidence.read(path), trades)
+
+    def test_those_of_the_tree_are_what_the_stored_runs_say(self):
+        for table, stored in TABLES.items():
+            with self.subTest(os.path.relpath(table, CASES)), contextlib.redirect_stdout(io.StringIO()):
+                path = os.path.join(self.root, "again.csv")
+                self.assertEqual(tools_report.main([*stored, "--trades", path]), 0)
+                with open(path) as again, open(table) as kept:
+                    self.assertEqual(again.read(), kept.read())
+
+
+class Likeness(unittest.TestCase):
+    def setUp(self):
+        self.sheets = [run_sheet.read(path) for path in run_sheet.stored_in(STUDY)[:2]]
+
+    def test_a_sheet_without_it_is_refused(self):
+        first, second = self.sheets
+        with self.assertRaisesRegex(InputError, rf"--trades: {second.name} was stored by a version .*; store it again: tools/report RUN --store DIR"):
+            trades_of_runs.trades_of([first, dataclasses.replace(second, likeness={})], "full_depth")
+
+    def test_a_scene_without_gas_is_no_evidence(self):
+        first, second = self.sheets
+        for name in evidence.NEAR:
+            without = dataclasses.replace(second, likeness={**second.likeness, name: None})
+            self.assertEqual(trades_of_runs.trades_of([first, without], "full_depth"), [])
+        self.assertTrue(trades_of_runs.trades_of([first, second], "full_depth"))
 
 
 if __name__ == "__main__":

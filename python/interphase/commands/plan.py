@@ -33,7 +33,7 @@ and the trend that it had. "By the clock" holds where a core is free for each ra
 seconds of machines that others use, too, go up and down by some 10 % by themselves.
 
 --accuracy "QUANTITY P%" (may be given again) asks for a method that is off by no more than that, twice the standard error of the measurement included;
---within 2h for one that is done by then. The cheapest is named, and on what evidence: scenes of python/interphase/trades.csv and cases/*/study/trades.csv whose
+--within 2h for one that is done by then. The cheapest is named, and on what evidence: scenes of python/interphase/trades.csv and each trades.csv in cases/*/study whose
 Archimedes number, U/U_mf, and parcels, over depth and over cell, are near to those here. Where none is near, that is said.
 
 exit code: 0; 1 where no method could be measured, or --check found one off by more than 20 %; 2 where the command line or the case is refused."""

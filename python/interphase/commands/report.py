@@ -68,12 +68,12 @@ def arguments(given):
     )
     parser.add_argument("--html", metavar="FILE.html", help="a page of all of it, pictures inside; the first RUN is what the others are held against")
     parser.add_argument("--store", metavar="DIR", help="keep what the page is made of as a text file for each run, some 50 kB: `tools/report DIR` needs no run")
-    parser.add_argument("--trades", metavar="FILE.csv", help="keep how far each run lies off the reference as evidence for tools/plan, which reads cases/*/study/trades.csv")
+    parser.add_argument("--trades", metavar="FILE.csv", help="keep how far each run lies off the reference as evidence for tools/plan, which reads each trades.csv in cases/*/study")
     parser.add_argument("--reference", metavar="NAME", help="the run that the others are held against (default: the first; of a stored folder, DEM or TDHS)")
     parser.add_argument("--depth", choices=("front", "full"), help="the windows to show (default: see below)")
     parser.add_argument("--every", metavar="N", type=count, default=1, help="read each N-th snapshot only, and no rows (default: 1)")
     parser.add_argument("--own-time", action="store_true", help="each run to its own end, not to the shortest one's; nothing is written into the runs then")
-    parser.add_argument("--pool", action="store_true", help="runs that differ in where they begin only (seed, packing, --from) as one record in pieces; each run to its own end")
+    parser.add_argument("--pool", action="store_true", help="runs that differ in where they begin only (seed, packing, --from) as one record, errors by their scatter where that is more; each run to its own end")
     parser.add_argument("--scene", metavar="FILE", help="what to measure of snapshots, instead of what the runs' `statistics` say; same keys")
     parser.add_argument("--snapshots", action="store_true", help="measure snapshots, also where a run has rows of /statistics")
     parser.add_argument(
@@ -152,7 +152,7 @@ def kept(options):
     others = [path for path in options.runs if not report_output.is_stored(path)]
     if others:
         raise InputError(f"{others[0]} is no folder that --store has written, and others are: give runs, or stored folders, not both")
-    for option, given in (("--from", options.start is not None), ("--until", options.end is not None), ("--pool", options.pool), ("--scene", options.scene), ("--store", options.store), ("--trades", options.trades),
+    for option, given in (("--from", options.start is not None), ("--until", options.end is not None), ("--pool", options.pool), ("--scene", options.scene), ("--store", options.store),
                           ("--snapshots", options.snapshots)):
         if given:
             raise InputError(f"{option}: what is stored has been measured already; give the runs themselves")
@@ -162,6 +162,8 @@ def kept(options):
 def report(options):
     of_stored = any(map(report_output.is_stored, options.runs))
     sheets, folders, notes = kept(options) if of_stored else measured(options)
+    if folders and (options.store or options.trades):
+        sheets = trades_of_runs.with_likeness(sheets, folders)
     sheets = report_output.with_reference(sheets, options.reference)
     names, reports, scene = [sheet.name for sheet in sheets], [sheet.report for sheet in sheets], sheets[0].scene
     if options.depth:
@@ -185,7 +187,7 @@ def report(options):
         for path in run_sheet.store(options.store, sheets):
             print(f"stored     {path}")
     if options.trades:
-        trades = trades_of_runs.trades_of(sheets, folders, depth)
+        trades = trades_of_runs.trades_of(sheets, depth)
         trades_of_runs.write(options.trades, trades)
         print(f"trades     {options.trades}: {len(trades)} lines")
     if options.html:

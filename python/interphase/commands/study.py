@@ -220,10 +220,11 @@ def measure(study, plan, folder, sweeps, given):
     sheets, notes = run_sheet.each_over_its_own_time(groups, [plan.starts[names[0]] for names in together.values()], names=list(together))
     missing = [name for name in plan.starts if name not in {point.name for point in done}]
     notes += [f"not there: {', '.join(missing)}"] if missing else []
+    folders = {sheet.name: runs[0].path for sheet, runs in zip(sheets, groups)}
     if given.store:
-        for path in run_sheet.store(given.store, sheets):
+        for path in run_sheet.store(given.store, module("trades_of_runs").with_likeness(sheets, folders)):
             tools_sweep.say(f"stored     {path}")
-    page(study, sheets, {sheet.name: runs[0].path for sheet, runs in zip(sheets, groups)}, notes, given.html or os.path.join(folder, "report.html"))
+    page(study, sheets, folders, notes, given.html or os.path.join(folder, "report.html"))
 
 
 if __name__ == "__main__":
