@@ -240,13 +240,17 @@ def draw(rows, packings, path):
     value, error = float(whole["deviation"]), float(whole["error"])
     trade.axhspan(value - error, value + error, color="0.9", zorder=0)
     trade.axhline(value, color="black", lw=1)
-    for number, row in enumerate(rows):
+    labelled = 0
+    for row in rows:
         packing = fluidized(row, packings)
         if packing and not any(word in row["differs"] for word in COMPUTED):
             at = float(row["velocity"]) - packing[1]
             colour = f"C{MARKS.index(row['method'])}"
             trade.errorbar(at, float(row["deviation"]), float(row["error"]), fmt="osD^"[MARKS.index(row["method"])], color=colour, capsize=2, ms=5)
-            trade.annotate(row["run"], (at, float(row["deviation"])), (5, 4 if number % 2 == 0 else -9), textcoords="offset points", fontsize=7, color=colour)
+            # springs to the left, as the hard spheres of the same W stand beside them
+            offset, aligned = ((-5, 4), "right") if row["method"] in HARD else ((5, 4 if labelled % 2 == 0 else -9), "left")
+            labelled += row["method"] not in HARD
+            trade.annotate(row["run"], (at, float(row["deviation"])), offset, textcoords="offset points", fontsize=7, color=colour, ha=aligned)
     trade.set(xlabel="inlet velocity less U$_{mf}$ of the bed's own packing [m/s]", ylabel="deviation of the pressure [Pa]", ylim=(0, None), xlim=(0, 0.65))
     figure.savefig(path, dpi=90)
     print(f"compare: drawn in {path}")

@@ -22,7 +22,8 @@ from test_trade import mean
 STUDY = os.path.join(CASES, "sscp1", "study", "2.19")
 SLICE = os.path.join(CASES, "sscp1-slice", "study")
 # The tables in the tree, and what they are made of.
-TABLES = {os.path.join(folder, "trades.csv"): [folder] for folder in (STUDY, STUDY.replace("2.19", "3.28"), STUDY.replace("2.19", "4.38"), SLICE)}
+MEASURED = os.path.join(CASES, "van-wachem", "study", "methods")
+TABLES = {os.path.join(folder, "trades.csv"): [folder] for folder in (STUDY, STUDY.replace("2.19", "3.28"), STUDY.replace("2.19", "4.38"), SLICE, MEASURED)}
 TABLES.update({os.path.join(SLICE, name, "trades.csv"): [os.path.join(SLICE, "slice-DEM.sheet.json"), os.path.join(SLICE, name)] for name in ("weights", "steps")})
 
 
