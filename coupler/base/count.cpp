@@ -82,7 +82,8 @@ std::string name_of(Whole whole)
 std::string percent(double share)
 {
     char text[32];
-    std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
+    constexpr double shown_as_a_hundred = 0.995;  // by two digits, which are 1e+02 then
+    std::snprintf(text, sizeof text, share < shown_as_a_hundred ? "%.2g %%" : "%.0f %%", 100 * share);
     return text;
 }
 

@@ -32,6 +32,8 @@ void CountNews::begin_with(const std::vector<Count>& counts, const Wholes& whole
 {
     before_ = counts;
     wholes_before_ = wholes;
+    for (const Count& count : counts)
+        if (count.kind->worry == Worry::above && to_be_looked_at(count, wholes)) told_.insert(count.kind->key);
 }
 
 std::vector<std::string> CountNews::of(const std::vector<Count>& counts, const Wholes& wholes)

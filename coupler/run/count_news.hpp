@@ -18,6 +18,9 @@ public:
     /// yet.
     static constexpr long steps_between_looks = 100;
 
+    /// Whether it is time for a look, after so many gas steps since the start of the run.
+    bool due(double gas_steps) const { return gas_steps - wholes_before_.gas_steps >= steps_between_looks; }
+
     /// What was counted before this part of the run, which is not told again.
     void begin_with(const std::vector<Count>& counts, const Wholes& wholes);
 

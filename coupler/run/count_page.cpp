@@ -61,11 +61,10 @@ std::string count_page(const CountKinds& of_engines, const std::vector<CountKind
         "# What a run counts\n\nAs `interphase -help counts` prints it. Ranges that were left, clamps and steps that "
         "were too long are counted from the start of a run, over its resumes, and stand at the end of the screen's "
         "output: the number, what share it is, and whether to look at it. `/ledger` of `results.h5` has most of them "
-        "step by step; those of a plug-in's fixes stand in `/counters`. A count that comes to be looked at in the "
-        "course "
-        "of " +
+        "step by step; those of a plug-in's fixes stand in `/counters`. While the run goes on, it looks every " +
         std::to_string(CountNews::steps_between_looks) +
-        " gas steps is told at once, the first time.\n\nWhere a share decides, the limit is " +
+        " gas steps at these alone, and tells of a count that is to be looked at, the first time.\n\nWhere a share "
+        "decides, the limit is " +
         percent(tolerable_share) +
         ": what is off in a hundredth of all places and steps, and there by no more than its own size, moves a mean "
         "over all of them by at most 1 %. The drop of `cases/sscp1`, a mean that is known well, has a standard error "

@@ -105,7 +105,7 @@ std::vector<Count> CoupledRun::counts() const
 
 void CoupledRun::tell_counts()
 {
-    if (++steps_ % CountNews::steps_between_looks != 0) return;
+    if (!count_news_.due(booked().gas_steps)) return;
     for (const std::string& words : count_news_.of(counts(), wholes()))
         report_.note("t = " + text(case_.time()) + " s: " + words);
 }
@@ -135,7 +135,6 @@ int CoupledRun::run()
         const bool goes_on = kept_.has_value();
         if (goes_on) go_on();
         bool nothing_new = goes_on && records_->hold_this_moment();
-        count_news_.begin_with(counts(), wholes());
         records_->describe(clock_.solid_step(), gas_step_);
         if (!goes_on) record(true);
         while (case_.running()) {
@@ -264,9 +263,11 @@ std::string CoupledRun::stopped_by() const
     return signal_ == 0 ? "" : SignalRequests::name_of(signal_);
 }
 
+Wholes CoupledRun::booked() const { return coupling_ ? coupling_->wholes() : without_gas_->wholes(); }
+
 Wholes CoupledRun::wholes() const
 {
-    Wholes all = coupling_ ? coupling_->wholes() : without_gas_->wholes();
+    Wholes all = booked();
     all.particles = static_cast<double>(at_start_.tracked) + records_->came_and_went().came();
     return all;
 }

@@ -53,6 +53,7 @@ private:
     void record(bool at_start);
     void look_for_the_end();
     std::string stopped_by() const;
+    Wholes booked() const;  ///< but for the particles
     Wholes wholes() const;
     void finish();
     void keep_what_is_known(const std::exception& error);  ///< after it
@@ -82,7 +83,6 @@ private:
     std::optional<RunRecords> records_;
     Report report_;
     CountNews count_news_;
-    long steps_ = 0;  ///< gas steps, of this part of the run
     double gas_step_ = 0;
     std::optional<SignalRequests> requests_;  ///< while it runs
     int signal_ = 0;                          ///< that ends the run, the same on all ranks

@@ -120,6 +120,7 @@ void CoupledRun::go_on()
     report_.warn("the run goes on from " + kept_->path + "; what an earlier part of it recorded after t = " +
                  text(kept_->time) + " s makes way for what comes now");
     report_.go_on_from(kept_->time);
+    count_news_.begin_with(counts(), wholes());
     kept_.reset();
 }
 

@@ -96,10 +96,14 @@ def _trade(row, where):
     return Trade(**values)
 
 
+def tables():
+    """Paths of all tables in the tree."""
+    return [COMMON, *sorted(glob.glob(os.path.join(CASES, "*", "study", "**", "trades.csv"), recursive=True))]
+
+
 def everything():
     """All `Trade`s in the tree."""
-    paths = [COMMON, *sorted(glob.glob(os.path.join(CASES, "*", "study", "**", "trades.csv"), recursive=True))]
-    return list(dict.fromkeys(trade for path in paths for trade in read(path)))  # a run may be in two tables
+    return list(dict.fromkeys(trade for path in tables() for trade in read(path)))  # a run may be in two tables
 
 
 def quantities(trades):

@@ -8,7 +8,7 @@ import numpy
 
 from interphase import gas_fields, gas_mesh, parts
 from interphase.input_error import InputError
-from interphase.time_statistics import mean_with_error
+from interphase.time_statistics import error_by_scatter, mean_with_error
 
 FIELD = "p_rgh"
 LAYERS = 100  # at most
@@ -52,7 +52,7 @@ def of_replicates(profiles):
     if any(each is None or len(each[0]) != len(first[0]) or not numpy.allclose(each[0], first[0]) for each in profiles):
         return None
     pressures = numpy.array([pressure for _, pressure, _ in profiles])
-    return first[0], pressures.mean(axis=0), pressures.std(axis=0, ddof=1) / math.sqrt(len(pressures))
+    return first[0], pressures.mean(axis=0), error_by_scatter(pressures)
 
 
 def _heights(mesh):

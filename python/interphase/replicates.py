@@ -12,6 +12,7 @@ import numpy
 from scipy import stats
 
 from interphase import convergence, trade
+from interphase.time_statistics import error_by_scatter
 
 CONFIDENCE = 0.95
 
@@ -51,18 +52,19 @@ def groups(sheets):
 
 def scatters(sheets, depth):
     """[`Scatter`] of each quantity, part by part, that all these sheets know with an error to be trusted."""
+    return [scatter_of(label, unit, means) for label, unit, means in means_of_parts(sheets, depth) if not any(mean.reason or not mean.error > 0 for mean in means)]
+
+
+def means_of_parts(sheets, depth):
+    """(label, unit, [`Mean` of each sheet]) of each quantity, part by part, that all these sheets know."""
     all_of = [trade.quantities(sheet.report, depth) for sheet in sheets]
-    found = []
     for name, (unit, parts) in all_of[0].items():
         if not all(name in each and len(each[name][1]) == len(parts) for each in all_of):
             continue
         for at in range(len(parts)):
             means = [each[name][1][at] for each in all_of]
-            if any(mean is None or mean.reason or not mean.error > 0 for mean in means):
-                continue
-            label = name if len(parts) == 1 else f"{name}, {at + 1} of {len(parts)}"
-            found.append(scatter_of(label, unit, means))
-    return found
+            if None not in means:
+                yield name if len(parts) == 1 else f"{name}, {at + 1} of {len(parts)}", unit, means
 
 
 def scatter_of(name, unit, means):
@@ -74,4 +76,4 @@ def scatter_of(name, unit, means):
     square = float(((values - centre) ** 2 * weights).sum()) / left
     freedom = min(mean.freedom for mean in means)
     low, high = stats.f.ppf(((1 - CONFIDENCE) / 2, (1 + CONFIDENCE) / 2), left, freedom)
-    return Scatter(name, unit, len(means), float(values.mean()), float(values.std(ddof=1)) / math.sqrt(len(means)), math.sqrt(square), math.sqrt(low), math.sqrt(high))
+    return Scatter(name, unit, len(means), float(values.mean()), float(error_by_scatter(values)), math.sqrt(square), math.sqrt(low), math.sqrt(high))

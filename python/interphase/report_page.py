@@ -162,11 +162,16 @@ class Page:
 
     def _words_on_trade(self):
         """A sentence a run: how much cheaper, how far, and what is not decided."""
-        base = self.points[0].cost
         for point in self.points[1:]:
-            ratio = base.value / point.cost.value if base and point.cost else None
-            costs = "" if ratio is None else f"costs 1/{ratio:.3g} of {self.names[0]}; " if ratio > 1 else f"costs {1 / ratio:.3g} times {self.names[0]}; "
-            yield f"{point.name}: {costs}{trade.words_on(self.distances[point.name])}."
+            yield f"{point.name}: {self._words_on_cost(point)}{trade.words_on(self.distances[point.name])}."
+
+    def _words_on_cost(self, point):
+        """Beside the first run's; "" where one of both is not known."""
+        base = self.points[0].cost
+        if not (base and point.cost):
+            return ""
+        ratio = point.cost.value / base.value
+        return f"costs {ratio:.3g} times {self.names[0]}; " if ratio > 1 else f"costs 1/{1 / ratio:.3g} of {self.names[0]}; "
 
     def _numbers(self):
         sections = [report_table.quantities(report, self.depth) for report in self.reports]

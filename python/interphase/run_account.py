@@ -13,7 +13,7 @@ from typing import Optional
 import numpy
 
 from interphase import run_state, stored
-from interphase.time_statistics import mean_with_error
+from interphase.time_statistics import error_by_scatter, mean_with_error
 from interphase.tree import REPOSITORY
 from interphase.whole_records import whole_rows
 
@@ -115,9 +115,8 @@ def _mean_cost(accounts):
     share = share / share.sum()
     values, errors = (numpy.array([getattr(cost, name) for cost in costs]) for name in ("value", "error"))
     value = float(share @ values)
-    scatter = math.sqrt(float(share**2 @ (values - value) ** 2) * len(costs) / (len(costs) - 1))
     phases = {name: float(share @ [cost.phases[name] for cost in costs]) for name in costs[0].phases if all(name in cost.phases for cost in costs)}
-    return Cost(value, float(numpy.fmax(math.sqrt(float(share**2 @ errors**2)), scatter)), costs[0].kind, phases)
+    return Cost(value, float(numpy.fmax(math.sqrt(float(share**2 @ errors**2)), error_by_scatter(values, share))), costs[0].kind, phases)
 
 
 def _shown(path):

@@ -95,16 +95,16 @@ def measure(pieces, scene, unsettled=None):
     Of several, errors are as time_statistics.of_replicates has them, and spectra are not made.
     """
     found = [each.rows(scene) for each in pieces]
-    report = _of(pieces, found, scene)
+    report = _of(pieces, found, scene, with_spectrum=len(pieces) == 1)
     if len(pieces) > 1:
-        report_means.take_scatter_in(report, [_of([piece], [rows], scene) for piece, rows in zip(pieces, found)])
+        report_means.take_scatter_in(report, [_of([piece], [rows], scene, with_spectrum=False) for piece, rows in zip(pieces, found)])
     if unsettled is not None:
         report.needed = unsettled.needed
         report_means.distrust(report, f"start-up not known to be over: {unsettled.reason}")
     return report
 
 
-def _of(pieces, found, scene):
+def _of(pieces, found, scene, with_spectrum):
     """The `RunReport` of pieces as one record, of which the `Rows` are `found`."""
     rows = Rows.joined(found)
     times = rows.time
@@ -117,7 +117,7 @@ def _of(pieces, found, scene):
         _overlaps(report, scene.overlaps, rows)
     if scene.voidage and len(times):
         _voidage(report, scene.voidage, rows)
-    _series(report, pieces)
+    _series(report, pieces, with_spectrum)
     report.recorded = max(each.run.last_time() for each in pieces)
     return report
 
@@ -212,7 +212,7 @@ def _rows_of_series(report, piece):
     return times[inside], {name: column[inside] for name, column in columns.items()}
 
 
-def _series(report, pieces):
+def _series(report, pieces, with_spectrum):
     found = [rows for piece in pieces if (rows := _rows_of_series(report, piece)) is not None]
     if not found:
         return
@@ -236,7 +236,7 @@ def _series(report, pieces):
         report.series.append(Quantity(name.replace("_", " "), unit, mean))
         if name == "pressure_drop":
             report.series.append(Quantity("pressure drop, deviation", "Pa", statistics.deviation_with_error(values[name])))
-            if len(pieces) > 1:
+            if not with_spectrum:
                 report.notes.append("no spectrum of the pressure drop: the record is in pieces")
                 continue
             report.pressure = times, values[name]

@@ -251,16 +251,21 @@ def of_replicates(joined, parts):
     """
     if len(parts) < 2 or any(part is None for part in parts):
         return joined
-    weights = numpy.array([part.samples for part in parts], dtype=float)
-    weights /= weights.sum()
-    values = numpy.array([part.value for part in parts])
+    scatter = float(error_by_scatter([part.value for part in parts], [part.samples for part in parts]))
     left = len(parts) - 1
-    scatter = math.sqrt(float(weights**2 @ (values - weights @ values) ** 2) * len(parts) / left)
-    if not _bar(scatter, left) > _bar(joined.error, joined.freedom) and not math.isnan(joined.error):
+    if not scatter or _bar(joined.error, joined.freedom) >= _bar(scatter, left):
         return joined
-    effective = (joined.deviation / scatter) ** 2 if scatter else float(joined.samples)
-    return dataclasses.replace(joined, error=scatter, freedom=float(left), effective=effective, time=joined.samples / effective / 2 if effective else joined.time,
-                               reason="", longer=1.0)  # fmt: skip
+    effective = (joined.deviation / scatter) ** 2
+    return dataclasses.replace(joined, error=scatter, freedom=float(left), effective=effective, time=joined.samples / effective / 2, reason="", longer=1.0, drifts=False)
+
+
+def error_by_scatter(values, shares=None):
+    """Standard error of the mean of independent values [n, ...], two or more, by how they differ; of the mean that is weighted with `shares` [n] where given."""
+    values = numpy.asarray(values, dtype=float)
+    weights = numpy.ones(len(values)) if shares is None else numpy.asarray(shares, dtype=float)
+    weights = weights / weights.sum()
+    centre = numpy.tensordot(weights, values, 1)
+    return numpy.sqrt(numpy.tensordot(weights**2, (values - centre) ** 2, 1) * len(values) / (len(values) - 1))
 
 
 def _bar(error, freedom):

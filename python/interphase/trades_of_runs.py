@@ -35,19 +35,24 @@ def with_likeness(sheets, folders):
 
 
 def trades_of(sheets, depth):
-    """[`Trade`] of each `run_sheet.Sheet` but the first, the reference. What has no error that is to be trusted is no evidence and is left out, and so is a run without a gas,
-    or a weight: nothing near can be found then. InputError where one was stored without its likeness."""
+    """[`Trade`] of each `run_sheet.Sheet` but the first, the reference. What has no error that is to be trusted is no evidence and is left out, and so is a run that
+    is not placed. InputError where one was stored without its likeness."""
     reference, found = sheets[0], []
     for sheet in sheets[1:]:
-        if not sheet.likeness:
-            raise InputError(f"--trades: {sheet.name} was stored by a version that did not keep what tools/plan compares; store it again: tools/report RUN --store DIR")
-        if not all(sheet.likeness[name] for name in evidence.NEAR):
+        if not is_placed(sheet):
             continue
         account = sheet.account
         for quantity, (deviation, error) in _deviations(reference.report, sheet.report, depth).items():
             found.append(Trade(scene=account.case, method=account.method, weight=account.weight, quantity=quantity, deviation=deviation, error=error,
                                reference=reference.account.method, command=account.command, **sheet.likeness))  # fmt: skip
     return found
+
+
+def is_placed(sheet):
+    """Whether other scenes can be told to be near that of the `run_sheet.Sheet`. InputError where it was stored without its likeness."""
+    if not sheet.likeness:
+        raise InputError(f"--trades: {sheet.name} was stored by a version that did not keep what tools/plan compares; store it again: tools/report RUN --store DIR")
+    return all(sheet.likeness[name] for name in evidence.NEAR)
 
 
 def _deviations(reference, report, depth):

@@ -32,6 +32,14 @@ TEST(Count, HasAShareOfWhatItIsAPartOf)
     EXPECT_FALSE(share_of({of_pairs, 0}, Wholes{}));  // before the first step
 }
 
+TEST(Count, IsShownInPercentWithoutAnExponent)
+{
+    EXPECT_EQ(percent(0.0037), "0.37 %");
+    EXPECT_EQ(percent(0.994), "99 %");
+    EXPECT_EQ(percent(0.995), "100 %");
+    EXPECT_EQ(percent(1.2), "120 %");
+}
+
 TEST(Count, SaysWhenToLookAtIt)
 {
     EXPECT_EQ(verdict({of_pairs, 0}, wholes()), "");

@@ -12,7 +12,6 @@ import vessel
 
 LAYERS, ALL_LAYERS = 10, int(vessel.HEIGHT / (1.02 * vessel.DIAMETER))
 COUNTED = r"particles held under an outlet by the gas +([\d,]+)(?: +([\d.]+) % +(look at it)?)?"
-
 TOLD = r't = 0\.04 s: look at "particles held under an outlet by the gas": [\d,]+, (2|3|4)\d %, in the last 100 gas steps'
 
 

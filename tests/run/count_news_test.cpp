@@ -65,6 +65,27 @@ TEST(CountNews, KnowsWhatWorriesByNumberExtremeOrNever)
               look_at("\"bursts\": 1, 0.2 %") + look_at("\"deepest overlap\": 0.0625 d"));
 }
 
+TEST(CountNews, IsDueEveryHundredGasSteps)
+{
+    CountNews news;
+    news.begin_with({}, after(30));
+    EXPECT_FALSE(news.due(30));
+    EXPECT_FALSE(news.due(129));
+    EXPECT_TRUE(news.due(130));
+    news.of({}, after(130));
+    EXPECT_FALSE(news.due(131));
+    EXPECT_TRUE(news.due(230));
+}
+
+TEST(CountNews, DoesNotRepeatAnExtremeOfBefore)
+{
+    CountNews news;
+    const Count deep = Count::measured(deepest, 0.0625), deeper = Count::measured(deepest, 0.125);
+    news.begin_with({deep}, after(100));
+    EXPECT_EQ(told(news, {deep}, after(200)), "");
+    EXPECT_EQ(told(news, {deeper}, after(300)), "");
+}
+
 TEST(CountNews, IsNotOfWhatWasBeforeThisPartOfTheRun)
 {
     CountNews news;

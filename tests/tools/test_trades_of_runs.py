@@ -15,16 +15,16 @@ from interphase.commands import report as tools_report
 from interphase.evidence import Trade
 from interphase.input_error import InputError
 from interphase.run_report import FREQUENCY, Quantity, RunReport
-from scratch import InFolder
 from interphase.tree import CASES
+from scratch import InFolder
 from test_trade import mean
 
-STUDY = os.path.join(CASES, "sscp1", "study", "2.19")
+SSCP1 = os.path.join(CASES, "sscp1", "study")
 SLICE = os.path.join(CASES, "sscp1-slice", "study")
-# The tables in the tree, and what they are made of.
-MEASURED = os.path.join(CASES, "van-wachem", "study", "methods")
-TABLES = {os.path.join(folder, "trades.csv"): [folder] for folder in (STUDY, STUDY.replace("2.19", "3.28"), STUDY.replace("2.19", "4.38"), SLICE, MEASURED)}
-TABLES.update({os.path.join(SLICE, name, "trades.csv"): [os.path.join(SLICE, "slice-DEM.sheet.json"), os.path.join(SLICE, name)] for name in ("weights", "steps")})
+STUDY = os.path.join(SSCP1, "2.19")
+# What the tables in the tree are made of, by their folders.
+SOURCES = {folder: [folder] for folder in (*(os.path.join(SSCP1, velocity) for velocity in ("2.19", "3.28", "4.38")), SLICE, os.path.join(CASES, "van-wachem", "study", "methods"))}
+SOURCES.update({os.path.join(SLICE, name): [os.path.join(SLICE, "slice-DEM.sheet.json"), os.path.join(SLICE, name)] for name in ("weights", "steps")})
 
 
 def report(**values):
@@ -66,11 +66,12 @@ class Table(InFolder):
         self.assertEqual(evidence.read(path), trades)
 
     def test_those_of_the_tree_are_what_the_stored_runs_say(self):
-        for table, stored in TABLES.items():
-            with self.subTest(os.path.relpath(table, CASES)), contextlib.redirect_stdout(io.StringIO()):
+        self.assertEqual({os.path.dirname(path) for path in evidence.tables() if path != evidence.COMMON}, set(SOURCES))
+        for folder, stored in SOURCES.items():
+            with self.subTest(os.path.relpath(folder, CASES)), contextlib.redirect_stdout(io.StringIO()):
                 path = os.path.join(self.root, "again.csv")
                 self.assertEqual(tools_report.main([*stored, "--trades", path]), 0)
-                with open(path) as again, open(table) as kept:
+                with open(path) as again, open(os.path.join(folder, "trades.csv")) as kept:
                     self.assertEqual(again.read(), kept.read())
 
 

@@ -162,7 +162,7 @@ def kept(options):
 def report(options):
     of_stored = any(map(report_output.is_stored, options.runs))
     sheets, folders, notes = kept(options) if of_stored else measured(options)
-    if folders and (options.store or options.trades):
+    if not of_stored and (options.store or options.trades):
         sheets = trades_of_runs.with_likeness(sheets, folders)
     sheets = report_output.with_reference(sheets, options.reference)
     names, reports, scene = [sheet.name for sheet in sheets], [sheet.report for sheet in sheets], sheets[0].scene
@@ -190,6 +190,8 @@ def report(options):
         trades = trades_of_runs.trades_of(sheets, depth)
         trades_of_runs.write(options.trades, trades)
         print(f"trades     {options.trades}: {len(trades)} lines")
+        if unplaced := [sheet.name for sheet in sheets[1:] if not trades_of_runs.is_placed(sheet)]:
+            print(f"note: {', '.join(unplaced)}: no evidence, as gas, mesh, weight or velocity there are not known, by which a scene is told to be near")
     if options.html:
         report_output.write(options.html, report_output.title_of(sheets), sheets, depth, notes, folders, options.confidence)
         print(f"page       {options.html}")

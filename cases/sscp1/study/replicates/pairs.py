@@ -14,7 +14,8 @@ import sys
 import numpy
 from scipy.stats import t as student
 
-from interphase import InputError, run_sheet, trade
+from interphase import InputError, replicates, run_sheet
+from interphase.time_statistics import error_by_scatter
 
 DEPTH = "full_depth"
 SHEET = re.compile(r"(DEM_from|TDHS_at)-(.+)\.sheet\.json$")
@@ -32,25 +33,14 @@ def pairs_in(folder):
     return pairs
 
 
-def rows(pairs):
-    """(name, TDHS's mean, difference of DEM, its error, t over its 95 % value) of each quantity, part by part; a root mean square of parts would hide their signs."""
-    known = [tuple(trade.quantities(sheet.report, DEPTH) for sheet in pair) for pair in pairs]
-    for name, (_, parts) in known[0][0].items():
-        for at in range(len(parts)):
-            means = [tuple(of[name][1][at] for of in pair) for pair in known if all(name in of for of in pair)]
-            if len(means) < len(pairs) or any(mean is None for pair in means for mean in pair):
-                continue
-            values = numpy.array([[mean.value for mean in pair] for pair in means])
-            apart = values[:, 1] - values[:, 0]
-            error = apart.std(ddof=1) / len(apart) ** 0.5
-            label = name if len(parts) == 1 else f"{name}, {at + 1} of {len(parts)}"
-            yield label, values[:, 0].mean(), apart.mean(), error, abs(apart.mean()) / error / student.isf(0.025, len(apart) - 1)
-
-
 def main(folder):
+    pairs = pairs_in(folder)
     print(f"{'':34s} {'TDHS':>10s}  {'DEM - TDHS':>10s}    error")
-    for name, mean, apart, error, ratio in rows(pairs_in(folder)):
-        print(f"{name:34s} {mean:10.4g}  {apart:+10.2g} +- {error:.2g}  ({100 * apart / abs(mean):+.1f} +- {100 * error / abs(mean):.1f} %){'  told apart' if ratio > 1 else ''}")
+    for name, _, means in replicates.means_of_parts([sheet for pair in pairs for sheet in pair], DEPTH):
+        tdhs, dem = numpy.array([mean.value for mean in means]).reshape(-1, 2).T
+        mean, apart, error = tdhs.mean(), (dem - tdhs).mean(), error_by_scatter(dem - tdhs)
+        told = "  told apart" if abs(apart) > error * student.isf(0.025, len(pairs) - 1) else ""
+        print(f"{name:34s} {mean:10.4g}  {apart:+10.2g} +- {error:.2g}  ({100 * apart / abs(mean):+.1f} +- {100 * error / abs(mean):.1f} %){told}")
 
 
 if __name__ == "__main__":
