@@ -4,6 +4,7 @@
 Times of simulation in s, costs in seconds of processors, all ranks together.
 """
 
+import dataclasses
 import math
 from dataclasses import dataclass, field
 
@@ -20,12 +21,14 @@ FEWEST = 2 * BLOCKS  # gas steps
 
 @dataclass(frozen=True)
 class Pace:
-    """What a phase costs per simulated second: `rates` [k] about the times `at` [k], of spans `width` [k], all in s."""
+    """What a phase costs per simulated second: `rates` [k] about the times `at` [k], of spans `width` [k], all in s; `spread` [k]: half of that by which two
+    ways to know a rate differ, none where it was measured."""
 
     at: numpy.ndarray
     rates: numpy.ndarray
     width: numpy.ndarray
     measured_to: float = None  # [s]: beyond, it is another method's shape; None: all is its own
+    spread: numpy.ndarray = None
 
     @property
     def end(self):
@@ -64,8 +67,14 @@ class Pace:
         beyond = max(0.0, until - self.end)
         seconds = self.between(0.0, until) + beyond * self.last
         taken = 0.0 if self.measured_to is None else max(0.0, seconds - self.between(0.0, self.measured_to))
-        doubt = SHAPE_ERROR * taken
+        doubt = math.hypot(SHAPE_ERROR * taken, self._spread_of(until))
         return seconds, math.hypot(beyond * self.error_of_last, doubt) if beyond > 0 else doubt
+
+    def _spread_of(self, until):
+        if self.spread is None:
+            return 0.0
+        known = dataclasses.replace(self, rates=self.spread, spread=None)
+        return known.between(0.0, until) + max(0.0, until - self.end) * known.last
 
 
 def pace(time, seconds):
@@ -79,27 +88,32 @@ def pace(time, seconds):
     return Pace((time[edges[:-1]] + time[edges[1:]]) / 2, numpy.diff(seconds[edges]) / width, width)
 
 
-def shaped(own, shape):
-    """The `Pace` of a costly method beyond what of it was measured, `own`: as that of a cheap one of the same kind, `shape`, goes on, times the ratio of both
-    over the time that `own` was measured in. Beds of parcels and of particles loosen alike from the same start: the number of contacts and
-    how often neighbours change follow from the bed, and rise by 2.1 to 2.7 in the first 0.4 s of sscp1. `own` where the other went no further."""
+def shaped(own, shape, work=0.0, doubt=0.0):
+    """The `Pace` of a costly method beyond what of it was measured, `own`: as that of a cheap one of the same kind, `shape`, goes on. Beds of parcels and of
+    particles loosen alike from the same start: the number of contacts and how often neighbours change follow from the bed, and rise by 2.1 to
+    2.7 in the first 0.4 s of sscp1. So what `shape` rises by after the time that `own` was measured in is added, times a factor. That is the ratio of both over that time, if
+    all of a cost rises; or `work`, what `own` has of spheres times solid steps per second over what `shape` has, if only that does which each sphere costs:
+    a step of few parcels mostly costs what steps cost in any case. Where the second is larger, the middle of both is taken and half their difference is
+    `spread`, to which `doubt`, a share of the rates, adds. `own` where the other went no further."""
     end = own.end
     beyond = shape.at - shape.width / 2 >= end - 1e-12
     if not beyond.any():
         return own
     middle = float(own.at[len(own.at) // 2] - own.width[len(own.at) // 2] / 2)  # what comes is more like the later half
-    level = shape.between(middle, end)
-    if not level > 0:
+    level, of_shape = (each.between(middle, end) / (end - middle) for each in (own, shape))
+    if not of_shape > 0:
         return own
-    ratio = own.between(middle, end) / level
-    first = shape.at[beyond][0] - shape.width[beyond][0] / 2
-    later = Pace(shape.at[beyond], ratio * shape.rates[beyond], shape.width[beyond])
-    at, rates, width = later.at, later.rates, later.width
+    at, rates, width = shape.at[beyond], shape.rates[beyond], shape.width[beyond]
+    first = float(at[0] - width[0] / 2)
     if first > end:  # the block of the other that `own` ends in
         inside = shape.rates[~beyond][-1:] if not beyond.all() else shape.rates[:1]
-        at, rates, width = (numpy.concatenate(pair) for pair in (([(first + end) / 2], at), (ratio * inside, rates), ([first - end], width)))
-    return Pace(numpy.concatenate([own.at, at]), numpy.concatenate([own.rates, rates]), numpy.concatenate([own.width, width]),
-                end if own.measured_to is None else own.measured_to)
+        at, rates, width = (numpy.concatenate(pair) for pair in (([(first + end) / 2], at), (inside, rates), ([first - end], width)))
+    ratio = level / of_shape
+    low, high = (numpy.maximum(0.0, level + factor * (rates - of_shape)) for factor in (ratio, max(ratio, work)))
+    taken = (low + high) / 2
+    known = numpy.zeros(len(own.at)) if own.spread is None else own.spread
+    return Pace(numpy.concatenate([own.at, at]), numpy.concatenate([own.rates, taken]), numpy.concatenate([own.width, width]),
+                end if own.measured_to is None else own.measured_to, numpy.concatenate([known, numpy.hypot((high - low) / 2, doubt * taken)]))
 
 
 @dataclass(frozen=True)

@@ -21,11 +21,15 @@ LOOK = 0.3  # s between two looks at a run that goes
 # {method: what of its kind scouts}: costs of particles go up alike as a bed loosens; those of springs a little more, whose lists are renewed by the way
 # that particles go
 SCOUT_OF = {"TDHS": "CGHS", "CGHS": "CGHS", "DEM": "CGPM", "CGPM": "CGPM"}
-# Of a scout. The wider parcels are, the less their cost tells of particles' (sscp1: by W = 64 a fifth too little), so no larger than need be.
-SCOUT_WEIGHTS = (8.0, 27.0, 64.0)
+# Of a scout. The wider parcels are, the less their cost tells of particles' (sscp1: by W = 64 a fifth too little), so no larger than need be: 2 where it
+# is affordable to the end of the run, or where parcels of 8 would be too few or too wide.
+SCOUT_WEIGHTS = (2.0, 8.0, 27.0, 64.0)
+USUAL_SCOUT = 8.0
 MOST_PARCELS = 50000
 FEWEST_PARCELS = 400  # of a scout: fewer are no bed
 WIDEST = 0.25  # of the vessel's smallest extent, of a parcel
+OTHER_KIND_ERROR = 0.35  # of what is taken from the other kind of contacts: DEM in water by hard spheres 0.59, TDHS on sscp1-slice by springs 1.37
+RISE = 2.0  # of the particles' cost as a bed loosens: 2.1 to 2.7 on sscp1, 1.6 to 2.5 of a suspension that settles
 BETWEEN_SNAPSHOTS = 6  # gas steps
 NEVER = float("inf")
 
@@ -47,7 +51,17 @@ class Calibration:
         return cost_model.cost(self.paces, self.output, until, self.setup)
 
     def bytes(self, until):
-        return self.output.bytes(until, float(self.run.meta["gas_step"]))
+        return self.output.bytes(until, self.gas_step)
+
+    @property
+    def gas_step(self):
+        """[s]"""
+        return float(self.run.meta["gas_step"])
+
+    @property
+    def work(self):
+        """Spheres times solid steps, per simulated second, as it began."""
+        return float(self.run.meta["particles_at_start"]) / float(self.run.meta["solid_step"])
 
 
 def short_run(case, folder, seconds, until, ranks):
@@ -139,15 +153,26 @@ def of_run(run, case):
 def like(own, other, name):
     """The `Calibration` `own` with the particles' cost beyond what was measured as that of `other`, of which `name` tells: cost_model.shaped. The gas's and the
     coupling's do not depend on the state of the bed: within 5 % over the start-up of sscp1."""
-    paces = {**own.paces, "solids": cost_model.shaped(own.paces["solids"], other.paces["solids"])}
+    alike = SCOUT_OF[own.run.meta["method"]] == SCOUT_OF[other.run.meta["method"]]
+    work = own.work / other.work if alike and other.work > 0 else 0.0
+    solids = cost_model.shaped(own.paces["solids"], other.paces["solids"], work, 0.0 if alike else OTHER_KIND_ERROR)
+    paces = {**own.paces, "solids": solids}
     return dataclasses.replace(own, paces=paces, reached=other.reached, whence=f"{own.whence}, then as {name} to {other.reached:.3g} s")
 
 
-def scout_weights(scene):
-    """The weights that a scout's parcels may have in a PlannedScene, the best first."""
-    def fits(each):
-        parcel = scene.sauter * each ** (1 / 3)
-        return scene.real / each >= FEWEST_PARCELS and (scene.depth is None or parcel <= WIDEST * scene.depth)
+def scout_weights(scene, own, seconds, until):
+    """The weights that a scout's parcels may have in a PlannedScene, the best first. It may take `seconds` of processors on the way to `until` [s], and goes
+    like `own`, the Calibration of a method of its kind: particles cost as many times less as parcels have W^1.5 more (eqs. 25 and 27 of the paper)."""
+    def fits(weight):
+        parcel = scene.sauter * weight ** (1 / 3)
+        return scene.real / weight >= FEWEST_PARCELS and (scene.depth is None or parcel <= WIDEST * scene.depth)
+
+    def reach(weight):
+        lighter = (float(own.run.meta["weight"]) / weight) ** 1.5
+        last = {phase: pace.last for phase, pace in own.paces.items()}
+        return seconds / (sum(last.values()) + (RISE * lighter - 1) * last["solids"] + own.output.row / own.gas_step)
 
     fit = [each for each in SCOUT_WEIGHTS if fits(each)]
-    return sorted(fit, key=lambda each: (scene.real / each > MOST_PARCELS, each if scene.real / each <= MOST_PARCELS else -each))
+    best = [each for each in fit if each < USUAL_SCOUT and reach(each) >= until]
+    best += [each for each in fit if each >= USUAL_SCOUT and scene.real / each <= MOST_PARCELS]
+    return list(dict.fromkeys(best + fit[::-1]))

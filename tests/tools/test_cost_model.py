@@ -63,6 +63,26 @@ class Shapes(unittest.TestCase):
         self.assertAlmostEqual(own.seconds(1.0)[0] / loosening(1.0, 900.0), 0.55, delta=0.1)  # which it was not by itself
         self.assertGreaterEqual(found.seconds(1.0)[1], 0.9 * cost_model.SHAPE_ERROR * found.seconds(1.0)[0])
 
+    def test_what_a_step_costs_in_any_case_does_not_rise(self):
+        """3000 spheres that cost 300 s/s at first and 400 parcels that cost 10, and as much for their steps: the rise of both is 2.5 in the end, that of the
+        parcels' whole cost 1.75."""
+        own = cost_model.pace(TIME[:31], loosening(TIME[:31], 300.0))
+        long = numpy.linspace(0, 1, 1001)
+        shape = cost_model.pace(long, loosening(long, 10.0) + 10.0 * long)
+        right = loosening(1.0, 300.0)
+        seconds, error = cost_model.shaped(own, shape, work=30).seconds(1.0)
+        low = cost_model.shaped(own, shape).seconds(1.0)[0]
+        self.assertLess(low, 0.85 * right)
+        self.assertAlmostEqual(seconds, (low + right) / 2, delta=0.03 * right)  # as above
+        self.assertLess(abs(seconds - right), 1.1 * error)
+
+    def test_costs_of_steps_do_not_count_where_spheres_are_many(self):
+        """All of a cost rises, and spheres of the costly method are dearer, each by itself: the ratio alone counts."""
+        own = cost_model.pace(TIME[:31], loosening(TIME[:31], 900.0))
+        long = numpy.linspace(0, 1, 1001)
+        shape = cost_model.pace(long, loosening(long, 5.0))
+        self.assertEqual(cost_model.shaped(own, shape, work=150).seconds(1.0), cost_model.shaped(own, shape).seconds(1.0))
+
     def test_one_that_went_no_further_adds_nothing(self):
         own = cost_model.pace(TIME, 40 * TIME)
         self.assertIs(cost_model.shaped(own, cost_model.pace(TIME[:51], TIME[:51])), own)

@@ -67,14 +67,26 @@ class Candidates(unittest.TestCase):
 
 
 class Scouts(unittest.TestCase):
-    def weights(self, real, diameter, depth):
-        return plan_calibration.scout_weights(PlannedScene(real, diameter, diameter, diameter, 1000.0, depth=depth))
+    def weights(self, real, diameter, depth, solids=160.0, gas=10.0, until=10.0):
+        """With 15 s of a processor, after a method of single particles that costs as much per simulated second."""
+        own = types.SimpleNamespace(paces={"solids": types.SimpleNamespace(last=solids), "gas": types.SimpleNamespace(last=gas)},
+                                    output=types.SimpleNamespace(row=0.0), gas_step=1e-3, run=types.SimpleNamespace(meta={"weight": 1.0}))  # fmt: skip
+        return plan_calibration.scout_weights(PlannedScene(real, diameter, diameter, diameter, 1000.0, depth=depth), own, 15.0, until)
 
     def test_parcels_are_many_and_narrow_yet_cheap(self):
         self.assertEqual(self.weights(95000, 3.256e-3, 0.0762)[0], 8)  # sscp1
-        self.assertEqual(self.weights(17562, 1.545e-3, 0.008), [])  # a flat bed: parcels of 8 are 0.39 of its depth
-        self.assertEqual(self.weights(2000, 1e-3, 0.1), [])  # 250 parcels are no bed
+        self.assertEqual(self.weights(17562, 1.545e-3, 0.008), [2])  # a flat bed: parcels of 8 are 0.39 of its depth, of 2 0.24
+        self.assertEqual(self.weights(2000, 1e-3, 0.1), [2])  # 250 parcels of 8 are no bed
+        self.assertEqual(self.weights(700, 1e-3, 0.1), [])
         self.assertEqual(self.weights(1e6, 1e-3, 0.5)[0], 27)  # 125,000 parcels of 8 are dear
+
+    def test_others_follow_where_the_number_does_not_divide(self):
+        self.assertEqual(self.weights(95000, 3.256e-3, 0.0762), [8, 27, 64, 2])
+
+    def test_parcels_of_two_where_they_come_to_the_end(self):
+        """Twice 6/2^1.5 s and 3 of the gas are 7.2 s for a simulated second, of which 15 s allow 2.1."""
+        self.assertEqual(self.weights(3380, 1e-3, 0.06, solids=6.0, gas=3.0, until=2.0)[0], 2)
+        self.assertEqual(self.weights(3380, 1e-3, 0.06, solids=6.0, gas=3.0, until=2.2)[0], 8)
 
 
 class Times(unittest.TestCase):

@@ -101,11 +101,11 @@ def measured(case, wanted, given, until, scratch):
     calibration = module("plan_calibration")
     done, holes = [], []
 
-    def measure(method, weight, seconds):
+    def measure(method, weight, seconds, name="measured"):
         if sys.stderr.isatty():
             print(f"measuring {method} W = {weight:g} ...", file=sys.stderr, flush=True)
         own = changed(case, method, weight)
-        run = calibration.short_run(own, os.path.join(scratch, f"{method}-{weight:g}"), seconds, until, given.ranks)
+        run = calibration.short_run(own, os.path.join(scratch, f"{name}-{method}-{weight:g}"), seconds, until, given.ranks)
         return own, calibration.of_run(run, own)
 
     for method, weight in wanted:
@@ -139,12 +139,17 @@ def scout_of(kind, members, calibration, given, until, measure):
     """(name, Calibration) of what went furthest among `members` and a scout, parcels of the method `kind`."""
     best = max(members, key=lambda each: each[3].reached)
     if best[3].reached < ENOUGH * until:
-        for weight in calibration.scout_weights(module("plan_scene").of_run(best[3].run))[:1]:
+        seconds = SCOUTING * given.calibrate
+        for weight in calibration.scout_weights(module("plan_scene").of_run(best[3].run), best[3], seconds, ENOUGH * until):
             with contextlib.suppress(InputError, launch.StepFailed):  # not every case can have parcels, or of that weight
-                scout = measure(kind, weight, SCOUTING * given.calibrate)[1]
-                if scout.reached > best[3].reached:
-                    return f"{kind} W = {weight:g}", scout
-    return f"{best[0]} W = {best[1]:g}", best[3]
+                scout = measure(kind, weight, seconds, "scout")[1]
+                return (f"{kind} W = {weight:g}", scout) if scout.reached > best[3].reached else named(best)
+    return named(best)
+
+
+def named(measured_one):
+    method, weight, _, calibration = measured_one
+    return f"{method} W = {weight:g}", calibration
 
 
 def planned_of(done, scene, until, ranks):
