@@ -24,8 +24,9 @@ LONGEST = 300
 
 
 def environment(**changes):
-    """The user's, with what Open MPI and OpenFOAM want; None removes a variable."""
-    variables = {**os.environ, **launch.additions(os.environ), **changes}
+    """The user's, with what Open MPI and OpenFOAM want, and the program that is tested, so that no tool builds one over it while others run; None removes a
+    variable."""
+    variables = {**os.environ, **launch.additions(os.environ), "INTERPHASE_BIN": PROGRAM, **changes}
     return {name: value for name, value in variables.items() if value is not None}
 
 
@@ -120,7 +121,7 @@ def must(folder, *command):
 def tool(name, *words, timeout=LONGEST, program=None, **changes):
     """tools/`name`, or a program of a case by its path, with the interphase that was built: a CompletedProcess."""
     return subprocess.run(
-        [os.path.join(TOOLS, name), *map(str, words)], env=environment(INTERPHASE_BIN=program or PROGRAM, **changes), stdin=subprocess.DEVNULL,
+        [os.path.join(TOOLS, name), *map(str, words)], env=environment(**({"INTERPHASE_BIN": program} if program else {}), **changes), stdin=subprocess.DEVNULL,
         capture_output=True, text=True, timeout=timeout,
     )
 

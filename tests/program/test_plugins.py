@@ -437,7 +437,7 @@ class OwnMethods(PluginTest):
         folder = os.path.join(self.root, "case")
         support.write(os.path.join(folder, "system/controlDict"), CONTROL)
         support.write(os.path.join(folder, "system/couplingDict"), COUPLING.format(method="DEM", plugins="plugins (own_method);", step="", more="weight 8;"))
-        with mock.patch.dict(os.environ, support.environment(INTERPHASE_BIN=support.PROGRAM, **environment())):
+        with mock.patch.dict(os.environ, support.environment(**environment())):
             changed = interphase.Case(folder).set(method="kicked")
             self.assertEqual((changed.method, changed.weight), ("KICKED", 1))
             self.assertTrue(changed.method_of(None).of_particles)

@@ -24,7 +24,7 @@ class Scripts(support.ProgramTest):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.enterClassContext(mock.patch.dict(os.environ, support.environment(INTERPHASE_BIN=support.PROGRAM)))
+        cls.enterClassContext(mock.patch.dict(os.environ, support.environment()))
         settings = dict(starting_runs.SETTINGS)
         of_files = {name: settings.pop(name) for name in list(settings) if ":" in name}
         cls.case = interphase.Case(starting_runs.case(cls.shared)).set(of_files, **settings)
