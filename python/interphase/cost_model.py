@@ -4,7 +4,6 @@
 Times of simulation in s, costs in seconds of processors, all ranks together.
 """
 
-import dataclasses
 import math
 from dataclasses import dataclass, field
 
@@ -21,14 +20,13 @@ FEWEST = 2 * BLOCKS  # gas steps
 
 @dataclass(frozen=True)
 class Pace:
-    """What a phase costs per simulated second: `rates` [k] about the times `at` [k], of spans `width` [k], all in s; `spread` [k]: half of that by which two
-    ways to know a rate differ, none where it was measured."""
+    """What a phase costs per simulated second: `rates` [k] about the times `at` [k], of spans `width` [k], all in s; `doubt` [k]: standard
+    errors of what was not measured but taken from another method, shares of the rates, of one sign all together; 0 where it was measured."""
 
     at: numpy.ndarray
     rates: numpy.ndarray
     width: numpy.ndarray
-    measured_to: float = None  # [s]: beyond, it is another method's shape; None: all is its own
-    spread: numpy.ndarray = None
+    doubt: numpy.ndarray
 
     @property
     def end(self):
@@ -59,22 +57,18 @@ class Pace:
 
     def between(self, early, late):
         """What was measured from `early` to `late` [s] cost [s]."""
+        return float(self._costs(early, late).sum())
+
+    def _costs(self, early, late):
         start, end = self.at - self.width / 2, self.at + self.width / 2
-        return float((numpy.clip(numpy.minimum(end, late) - numpy.maximum(start, early), 0, None) * self.rates).sum())
+        return numpy.clip(numpy.minimum(end, late) - numpy.maximum(start, early), 0, None) * self.rates
 
     def seconds(self, until):
         """(cost, standard error) of a run from 0 to `until` [s]: what was measured where it was measured, the last rate beyond."""
         beyond = max(0.0, until - self.end)
-        seconds = self.between(0.0, until) + beyond * self.last
-        taken = 0.0 if self.measured_to is None else max(0.0, seconds - self.between(0.0, self.measured_to))
-        doubt = math.hypot(SHAPE_ERROR * taken, self._spread_of(until))
-        return seconds, math.hypot(beyond * self.error_of_last, doubt) if beyond > 0 else doubt
-
-    def _spread_of(self, until):
-        if self.spread is None:
-            return 0.0
-        known = dataclasses.replace(self, rates=self.spread, spread=None)
-        return known.between(0.0, until) + max(0.0, until - self.end) * known.last
+        known, more = self._costs(0.0, until), beyond * self.last
+        doubt = float((self.doubt * known).sum() + self.doubt[-1] * more)
+        return float(known.sum()) + more, math.hypot(beyond * self.error_of_last, doubt) if beyond > 0 else doubt
 
 
 def pace(time, seconds):
@@ -85,16 +79,16 @@ def pace(time, seconds):
         raise InputError(f"{len(time) - 1} gas steps were made, {BLOCKS} are needed to know a pace: give the calibration more time (--calibrate)")
     edges = numpy.unique(numpy.round(numpy.linspace(0, len(time) - 1, blocks + 1)).astype(int))
     width = numpy.diff(time[edges])
-    return Pace((time[edges[:-1]] + time[edges[1:]]) / 2, numpy.diff(seconds[edges]) / width, width)
+    return Pace((time[edges[:-1]] + time[edges[1:]]) / 2, numpy.diff(seconds[edges]) / width, width, numpy.zeros(len(width)))
 
 
-def shaped(own, shape, work=0.0, doubt=0.0):
+def shaped(own, shape, work=0.0, doubt=SHAPE_ERROR):
     """The `Pace` of a costly method beyond what of it was measured, `own`: as that of a cheap one of the same kind, `shape`, goes on. Beds of parcels and of
     particles loosen alike from the same start: the number of contacts and how often neighbours change follow from the bed, and rise by 2.1 to
     2.7 in the first 0.4 s of sscp1. So what `shape` rises by after the time that `own` was measured in is added, times a factor. That is the ratio of both over that time, if
     all of a cost rises; or `work`, what `own` has of spheres times solid steps per second over what `shape` has, if only that does which each sphere costs:
-    a step of few parcels mostly costs what steps cost in any case. Where the second is larger, the middle of both is taken and half their difference is
-    `spread`, to which `doubt`, a share of the rates, adds. `own` where the other went no further."""
+    a step of few parcels mostly costs what steps cost in any case. Where the second is larger, the middle of both is taken, and half their difference
+    is an error beside `doubt`. `own` where the other went no further."""
     end = own.end
     beyond = shape.at - shape.width / 2 >= end - 1e-12
     if not beyond.any():
@@ -111,9 +105,8 @@ def shaped(own, shape, work=0.0, doubt=0.0):
     ratio = level / of_shape
     low, high = (numpy.maximum(0.0, level + factor * (rates - of_shape)) for factor in (ratio, max(ratio, work)))
     taken = (low + high) / 2
-    known = numpy.zeros(len(own.at)) if own.spread is None else own.spread
-    return Pace(numpy.concatenate([own.at, at]), numpy.concatenate([own.rates, taken]), numpy.concatenate([own.width, width]),
-                end if own.measured_to is None else own.measured_to, numpy.concatenate([known, numpy.hypot((high - low) / 2, doubt * taken)]))
+    bounds = numpy.divide(high - low, 2 * taken, out=numpy.zeros(len(taken)), where=taken > 0)
+    return Pace(*(numpy.concatenate(pair) for pair in ((own.at, at), (own.rates, taken), (own.width, width), (own.doubt, numpy.hypot(bounds, doubt)))))
 
 
 @dataclass(frozen=True)

@@ -155,9 +155,8 @@ def like(own, other, name):
     coupling's do not depend on the state of the bed: within 5 % over the start-up of sscp1."""
     alike = SCOUT_OF[own.run.meta["method"]] == SCOUT_OF[other.run.meta["method"]]
     work = own.work / other.work if alike and other.work > 0 else 0.0
-    solids = cost_model.shaped(own.paces["solids"], other.paces["solids"], work, 0.0 if alike else OTHER_KIND_ERROR)
-    paces = {**own.paces, "solids": solids}
-    return dataclasses.replace(own, paces=paces, reached=other.reached, whence=f"{own.whence}, then as {name} to {other.reached:.3g} s")
+    solids = cost_model.shaped(own.paces["solids"], other.paces["solids"], work, cost_model.SHAPE_ERROR if alike else OTHER_KIND_ERROR)
+    return dataclasses.replace(own, paces={**own.paces, "solids": solids}, reached=other.reached, whence=f"{own.whence}, then as {name} to {other.reached:.3g} s")
 
 
 def scout_weights(scene, own, seconds, until):
@@ -167,10 +166,11 @@ def scout_weights(scene, own, seconds, until):
         parcel = scene.sauter * weight ** (1 / 3)
         return scene.real / weight >= FEWEST_PARCELS and (scene.depth is None or parcel <= WIDEST * scene.depth)
 
+    solids = RISE * own.paces["solids"].last
+    others = sum(pace.last for phase, pace in own.paces.items() if phase != "solids") + own.output.row / own.gas_step
+
     def reach(weight):
-        lighter = (float(own.run.meta["weight"]) / weight) ** 1.5
-        last = {phase: pace.last for phase, pace in own.paces.items()}
-        return seconds / (sum(last.values()) + (RISE * lighter - 1) * last["solids"] + own.output.row / own.gas_step)
+        return seconds / ((float(own.run.meta["weight"]) / weight) ** 1.5 * solids + others)
 
     fit = [each for each in SCOUT_WEIGHTS if fits(each)]
     best = [each for each in fit if each < USUAL_SCOUT and reach(each) >= until]

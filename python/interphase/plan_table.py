@@ -47,7 +47,7 @@ def steps_rows(planned, scene):
     rows = [("method", "tracked", "parcel/cell", "parcel/depth", "t_c [ms]", "solid step [ms]", "in a gas step", "of")]
     for each in planned:
         meta = each.calibration.run.meta
-        contact, step, gas = meta.get("contact_duration"), float(meta["solid_step"]), float(meta["gas_step"])
+        contact, step, gas = meta.get("contact_duration"), float(meta["solid_step"]), each.calibration.gas_step
         parcel = each.numbers
         rows.append((each.name, f"{float(meta['particles_at_start']):,.0f}", _number(parcel["parcel_over_cell"]), _number(parcel["parcel_over_depth"]),
                      f"{1e3 * contact:.4g}" if contact else "", f"{1e3 * step:.4g}" + (f" = t_c/{contact / step:.3g}" if contact else ""),

@@ -28,12 +28,12 @@ def case(root, name="bed", cells=CELLS):
     return folder
 
 
-def plain(folder, out, *words, program=None):
+def plain(folder, out, *words, program=support.PROGRAM):
     """tools/run with words of its command line: a CompletedProcess."""
     return support.tool("run", folder, "--out", out, "--no-picture", *words, program=program)
 
 
-def run(folder, out, *words, program=None, **changes):
+def run(folder, out, *words, program=support.PROGRAM, **changes):
     """The same with the small bed's numbers but for `changes`."""
     return plain(folder, out, *words, *support.settings_of({**SETTINGS, **changes}), program=program)
 

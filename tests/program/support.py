@@ -118,10 +118,10 @@ def must(folder, *command):
     return done.stdout
 
 
-def tool(name, *words, timeout=LONGEST, program=None, **changes):
+def tool(name, *words, timeout=LONGEST, program=PROGRAM, **changes):
     """tools/`name`, or a program of a case by its path, with the interphase that was built: a CompletedProcess."""
     return subprocess.run(
-        [os.path.join(TOOLS, name), *map(str, words)], env=environment(**({"INTERPHASE_BIN": program} if program else {}), **changes), stdin=subprocess.DEVNULL,
+        [os.path.join(TOOLS, name), *map(str, words)], env=environment(INTERPHASE_BIN=program, **changes), stdin=subprocess.DEVNULL,
         capture_output=True, text=True, timeout=timeout,
     )
 
@@ -193,7 +193,7 @@ class ProgramTest(unittest.TestCase):
         return ProgramTest.ran(case, folder, ranks, program="true", **settings)
 
     @staticmethod
-    def ran(case, folder, ranks=1, program=None, **settings):
+    def ran(case, folder, ranks=1, program=PROGRAM, **settings):
         """The same, with the program itself unless told otherwise; it must reach its end."""
         path = case if os.path.isabs(case) else os.path.join(SOURCE, "cases", case)
         done = tool("run", path, "--ranks", ranks, "--out", folder, "--no-picture", "--quiet", *settings_of(settings), program=program)

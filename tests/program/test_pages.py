@@ -34,8 +34,7 @@ class Reader(support.ProgramTest):
     def do(self, command):
         done = subprocess.run(
             ["bash", "-c", command], cwd=self.tree, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=400,
-            env=support.environment(HOME=self.home, OMPI_MCA_rmaps_base_oversubscribe="1",
-                                    CMAKE_PREFIX_PATH=support.BUILD),
+            env=support.environment(HOME=self.home, OMPI_MCA_rmaps_base_oversubscribe="1", CMAKE_PREFIX_PATH=support.BUILD),
         )  # fmt: skip
         return done
 

@@ -13,6 +13,7 @@ from interphase.input_error import InputError
 from scratch import InFolder
 
 TIME = numpy.linspace(0.0, 0.1, 101)
+LONG = numpy.linspace(0.0, 1.0, 1001)
 
 
 def loosening(time, rate, rise=1.5, span=0.1):
@@ -55,8 +56,7 @@ class Paces(unittest.TestCase):
 class Shapes(unittest.TestCase):
     def test_a_costly_method_goes_on_as_a_cheap_one_does(self):
         own = cost_model.pace(TIME[:31], loosening(TIME[:31], 900.0))
-        long = numpy.linspace(0, 1, 1001)
-        shape = cost_model.pace(long, loosening(long, 5.0))
+        shape = cost_model.pace(LONG, loosening(LONG, 5.0))
         found = cost_model.shaped(own, shape)
         # blocks of the other are 40 ms wide, and its rate within one is not resolved: 3 %
         self.assertAlmostEqual(found.seconds(1.0)[0] / loosening(1.0, 900.0), 1, delta=0.03)
@@ -67,8 +67,7 @@ class Shapes(unittest.TestCase):
         """3000 spheres that cost 300 s/s at first and 400 parcels that cost 10, and as much for their steps: the rise of both is 2.5 in the end, that of the
         parcels' whole cost 1.75."""
         own = cost_model.pace(TIME[:31], loosening(TIME[:31], 300.0))
-        long = numpy.linspace(0, 1, 1001)
-        shape = cost_model.pace(long, loosening(long, 10.0) + 10.0 * long)
+        shape = cost_model.pace(LONG, loosening(LONG, 10.0) + 10.0 * LONG)
         right = loosening(1.0, 300.0)
         seconds, error = cost_model.shaped(own, shape, work=30).seconds(1.0)
         low = cost_model.shaped(own, shape).seconds(1.0)[0]
@@ -79,8 +78,7 @@ class Shapes(unittest.TestCase):
     def test_costs_of_steps_do_not_count_where_spheres_are_many(self):
         """All of a cost rises, and spheres of the costly method are dearer, each by itself: the ratio alone counts."""
         own = cost_model.pace(TIME[:31], loosening(TIME[:31], 900.0))
-        long = numpy.linspace(0, 1, 1001)
-        shape = cost_model.pace(long, loosening(long, 5.0))
+        shape = cost_model.pace(LONG, loosening(LONG, 5.0))
         self.assertEqual(cost_model.shaped(own, shape, work=150).seconds(1.0), cost_model.shaped(own, shape).seconds(1.0))
 
     def test_one_that_went_no_further_adds_nothing(self):
@@ -90,7 +88,7 @@ class Shapes(unittest.TestCase):
 
 class Sums(unittest.TestCase):
     def test_phases_output_and_clock(self):
-        paces = {phase: Pace(numpy.array([0.5]), numpy.array([rate]), numpy.array([1.0])) for phase, rate in (("solids", 10.0), ("gas", 5.0))}
+        paces = {phase: Pace(numpy.array([0.5]), numpy.array([rate]), numpy.array([1.0]), numpy.zeros(1)) for phase, rate in (("solids", 10.0), ("gas", 5.0))}
         output = Output(row=0.01, snapshot=0.5, row_bytes=100, snapshot_bytes=1e6, field_bytes=2e5, intervals=(0.1, 0.5, math.inf))
         found = cost_model.cost(paces, output, 1.0, setup=2.0)
         self.assertAlmostEqual(found.seconds["output"], 10 * 0.01 + 3 * 0.5)

@@ -103,7 +103,7 @@ def measured(case, wanted, given, until, scratch):
 
     def measure(method, weight, seconds, name="measured"):
         if sys.stderr.isatty():
-            print(f"measuring {method} W = {weight:g} ...", file=sys.stderr, flush=True)
+            print(f"measuring {named(method, weight)} ...", file=sys.stderr, flush=True)
         own = changed(case, method, weight)
         run = calibration.short_run(own, os.path.join(scratch, f"{name}-{method}-{weight:g}"), seconds, until, given.ranks)
         return own, calibration.of_run(run, own)
@@ -112,7 +112,7 @@ def measured(case, wanted, given, until, scratch):
         try:
             done.append((method, weight, *measure(method, weight, given.calibrate)))
         except (InputError, launch.StepFailed) as error:
-            holes.append(f"{method} W = {weight:g}: {' '.join(str(error).split())}")
+            holes.append(f"{named(method, weight)}: {' '.join(str(error).split())}")
     return with_scouts(done, calibration, given, until, measure) if done else done, holes
 
 
@@ -137,19 +137,23 @@ def with_scouts(done, calibration, given, until, measure):
 
 def scout_of(kind, members, calibration, given, until, measure):
     """(name, Calibration) of what went furthest among `members` and a scout, parcels of the method `kind`."""
-    best = max(members, key=lambda each: each[3].reached)
-    if best[3].reached < ENOUGH * until:
+    best = max(members, key=reached)
+    if reached(best) < ENOUGH * until:
         seconds = SCOUTING * given.calibrate
         for weight in calibration.scout_weights(module("plan_scene").of_run(best[3].run), best[3], seconds, ENOUGH * until):
             with contextlib.suppress(InputError, launch.StepFailed):  # not every case can have parcels, or of that weight
-                scout = measure(kind, weight, seconds, "scout")[1]
-                return (f"{kind} W = {weight:g}", scout) if scout.reached > best[3].reached else named(best)
-    return named(best)
+                members = [*members, (kind, weight, *measure(kind, weight, seconds, "scout"))]
+                break
+    method, weight, _, furthest = max(members, key=reached)
+    return named(method, weight), furthest
 
 
-def named(measured_one):
-    method, weight, _, calibration = measured_one
-    return f"{method} W = {weight:g}", calibration
+def reached(member):
+    return member[3].reached
+
+
+def named(method, weight):
+    return f"{method} W = {weight:g}"
 
 
 def planned_of(done, scene, until, ranks):
@@ -168,12 +172,12 @@ def check(done, given, scratch):
     for method, weight, own, each in done:
         until = 4 * float(each.run.processor_time["gas"].time[-1])
         run = calibration.short_run(own, os.path.join(scratch, "check"), float("inf"), until, given.ranks)
-        reached = calibration.of_run(run, own)
-        end = reached.reached
+        checked = calibration.of_run(run, own)
+        end = checked.reached
         spent = {phase: float(run.processor_time[phase].values[-1] - run.processor_time[phase].values[0]) for phase in model.PHASES}
         foretold = each.cost(end)
         foretold.seconds["output"] = spent["output"]  # here, a row in each gas step is written, for the measuring
-        rows.append((f"{method} W = {weight:g}, {end:.3g} s", foretold, model.Cost(spent, {}, reached.setup)))
+        rows.append((f"{named(method, weight)}, {end:.3g} s", foretold, model.Cost(spent, {}, checked.setup)))
     return rows
 
 
@@ -208,7 +212,7 @@ def main():
         say("\n".join(table.scene_lines(scene)))
         say("\n" + "\n".join(tables.columns(table.steps_rows(planned, scene), right=range(1, 8))))
         if any(each.method == "MPPIC" for each in planned) and scene.mean_cell:
-            say(table.limits_of_mp_pic(scene, float(planned[0].calibration.run.meta["gas_step"])))
+            say(table.limits_of_mp_pic(scene, planned[0].calibration.gas_step))
         say("\n" + "\n".join(tables.columns(table.cost_rows(planned, until, given.ranks), right=range(1, 10))))
         for hole in holes:
             say(f"not measured: {hole}")
