@@ -63,7 +63,12 @@ public:
     /// Remembers data sets that append() has made longer, in this order: append_to() makes all of them longer again, by
     /// one of `values` each, without looking for them by name.
     void remember(const std::string& group, const std::vector<std::string>& paths);
-    bool remembers(const std::string& group) const { return remembered_.count(group) > 0; }
+    /// Whether so many of this group.
+    bool remembers(const std::string& group, std::size_t count) const
+    {
+        const auto found = remembered_.find(group);
+        return found != remembered_.end() && found->second.size() == count;
+    }
     void append_to(const std::string& group, const std::vector<const std::vector<double>*>& values);
 
     /// Writes a new data set of `columns` per row (1: one-dimensional), this rank's `rows` at `first_row` of

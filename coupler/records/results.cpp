@@ -29,9 +29,11 @@ void Results::add_row(const std::string& group, const std::vector<Entry>& row)
 {
     if (!file_) return;
     std::vector<ColumnRows>& table = tables_[group];
-    if (table.empty())
-        for (const Entry& entry : row)
-            table.push_back({std::string(entry.name) + entry.ending, entry.unit, {}});
+    if (table.size() < row.size()) {
+        hand_over(group, table);
+        for (std::size_t n = table.size(); n < row.size(); ++n)
+            table.push_back({std::string(row[n].name) + row[n].ending, row[n].unit, {}});
+    }
     for (std::size_t n = 0; n < row.size(); ++n)
         table[n].rows.push_back(row[n].value);
     rows_wait_ = true;
@@ -85,16 +87,21 @@ bool Results::flush_due()
     return waited > patience || waited + 3 * step > promised;
 }
 
+/// The rows that wait.
+void Results::hand_over(const std::string& group, std::vector<ColumnRows>& columns)
+{
+    if (columns.empty() || columns.front().rows.empty()) return;
+    file_->change([=](Hdf5File& file) { append_rows(file, group, columns); });
+    for (ColumnRows& column : columns)
+        column.rows.clear();
+}
+
 void Results::flush()
 {
     if (!file_) return;
     const double start = wall_clock();
-    for (auto& [group, columns] : tables_) {
-        if (columns.front().rows.empty()) continue;
-        file_->change([group = group, columns = columns](Hdf5File& file) { append_rows(file, group, columns); });
-        for (ColumnRows& column : columns)
-            column.rows.clear();
-    }
+    for (auto& [group, columns] : tables_)
+        hand_over(group, columns);
     rows_wait_ = false;
     file_->publish();
     last_flush_ = wall_clock();

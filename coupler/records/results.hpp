@@ -21,8 +21,8 @@ public:
     /// What was there before goes with the first flush(); where the run goes on from a time [s], only rows after it.
     explicit Results(const Communicator& comm, std::optional<double> goes_on_from = std::nullopt);
 
-    /// One number of a row. Its name is `name` with `ending`; texts are only read during the call, and those of a
-    /// table's first row only: a row is made in every step, and costs nothing but its numbers.
+    /// One number of a row. Its name is `name` with `ending`; texts are only read during the call, and only where they
+    /// are new to the table: a row is made in every step, and costs nothing but its numbers.
     struct Entry {
         const char* name;
         const char* unit;
@@ -30,7 +30,8 @@ public:
         const char* ending = "";
     };
 
-    /// Adds a row to the table, e.g. "/series". Every row of a table has the same entries, in the same order.
+    /// Adds a row to the table, e.g. "/series". Every row has the entries of the one before, in the same order, and may
+    /// have new ones behind them.
     void add_row(const std::string& group, const std::vector<Entry>& row);
 
     /// A row with columns of several numbers, [n, width] in the file: for what is seldom taken.
@@ -68,6 +69,8 @@ public:
     void flush();
 
 private:
+    void hand_over(const std::string& group, std::vector<ColumnRows>& columns);
+
     std::optional<TwinFile> file_;
     std::map<std::string, std::vector<ColumnRows>> tables_;  ///< rows that are not in the file yet
     bool rows_wait_ = false;

@@ -20,7 +20,7 @@ void fill_up(Hdf5File& file, const std::string& path, const std::string& unit, s
 
 void append_rows(Hdf5File& file, const std::string& group, const std::vector<ColumnRows>& columns)
 {
-    if (file.remembers(group)) {
+    if (file.remembers(group, columns.size())) {
         std::vector<const std::vector<double>*> rows;
         for (const ColumnRows& column : columns)
             rows.push_back(&column.rows);

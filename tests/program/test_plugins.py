@@ -16,6 +16,7 @@ from unittest import mock
 
 import h5py
 import interphase
+import numpy
 import support
 
 RANKS = (1, 2)
@@ -414,6 +415,43 @@ class OwnMethods(PluginTest):
                     self.assertEqual((rows["kicks"][0], rows["kicks"][-1], rows.attrs["kicks"]), (0, 2 * STEPS, 2 * STEPS))
                     self.assertAlmostEqual(rows["fastest"][-1], fastest, delta=1e-12 * fastest)
                     self.assertEqual(rows["fastest"].attrs["unit"], "m/s")
+
+    def changed(self, lines, ranks):
+        """A run whose fix kick gives ten kicks, then the commands `lines`, and ten more steps."""
+        step = f"solidStep {STEP!r}; commands {{ change {{ time {GAS_STEP!r}; lines ({lines}); }} }}"
+        return self.coupled(["own_method", "other_counter"], ranks, method="DEM", script=self.SCRIPT, step=step, more="records { interval 1e-3; }")
+
+    def test_counters_of_fixes_that_come_and_go(self):
+        """Each fix kicks two particles in each of ten steps. What fixes have counted that are no more stays."""
+        more, other = "fix more all test/own 0.5 0.25 -0.125", "fix other all test/other 0.5 0.25 -0.125"
+        for lines, kicks, others, of_each in (
+            ('"unfix kick"', 20, None, 10),
+            (f'"unfix kick" "{more}"', 40, None, 20),
+            (f'"{more}"', 60, None, 30),
+            (f'"unfix kick" "{other}"', 20, 20, 20),
+        ):
+            for ranks in RANKS:
+                with self.subTest(lines, ranks=ranks):
+                    done = self.changed(lines, ranks)
+                    self.assertEqual(done.code, 0, done.text)
+                    self.assertRegex(done.out, rf"kicks given +{kicks} +look at it\n")
+                    counters = done.table("counters")
+                    self.assertEqual(counters["kicks"].tolist(), [0, 20, kicks])
+                    self.assertAlmostEqual(counters["fastest"][-1], of_each * math.sqrt(0.5**2 + 0.25**2 + 0.125**2), delta=1e-12)
+                    self.assertEqual("other_kicks" in counters, others is not None)
+                    if others:  # not counted before it was there
+                        numpy.testing.assert_array_equal(counters["other_kicks"], [math.nan, math.nan, others])
+
+    def test_counters_of_fixes_that_are_gone_when_a_run_goes_on(self):
+        for ranks in RANKS:
+            with self.subTest(ranks=ranks):
+                folder = self.changed('"unfix kick"', ranks).folder
+                control = os.path.join(folder, "system/controlDict")
+                support.write(control, CONTROL.replace(f"endTime {STEPS * STEP!r}", f"endTime {STEPS * STEP + GAS_STEP!r}"))
+                done = support.execute(folder, ranks, timeout=60, options=["-resume"], **environment())
+                self.assertEqual(done.code, 0, done.text)
+                self.assertEqual(done.column("counters/kicks").tolist(), [0, 20, 20, 20])
+                self.assertEqual(done.column("counters/fastest").tolist()[1:], 3 * [done.column("counters/fastest")[1]])
 
     def test_without_counters_there_is_no_table(self):
         with h5py.File(self.coupled(["kick"]).path("results.h5")) as results:

@@ -299,6 +299,37 @@ TEST(Results, GoOnBehindTheRowsUpToATime)
     EXPECT_EQ(file.word("/series/new", "unit"), "m");
 }
 
+TEST(Results, TakeEntriesThatComeLater)
+{
+    const test::ScratchFolder folder(world());
+    for (const bool flushed : {false, true}) {
+        {
+            Results results(world());
+            results.add_row("/counters", {{"time", "s", 0.1}, {"old", "1", 1}});
+            if (flushed) results.flush();
+            results.add_row("/counters", {{"time", "s", 0.2}, {"old", "1", 2}});
+            if (flushed) results.flush();
+            for (const double row : {3.0, 4.0})
+                results.add_row("/counters", {{"time", "s", row / 10}, {"old", "1", row}, {"new", "m", 10 * row}});
+            results.flush();
+            results.add_row("/counters", {{"time", "s", 0.5}, {"old", "1", 5}, {"new", "m", 50}});
+            results.flush();
+        }
+        world().barrier();
+        if (world().is_master()) {
+            const OpenFile file("results.h5");
+            EXPECT_EQ(file.doubles("/counters/time"), (Scalars{0.1, 0.2, 0.3, 0.4, 0.5}));
+            EXPECT_EQ(file.doubles("/counters/old"), (Scalars{1, 2, 3, 4, 5}));
+            const Scalars late = file.doubles("/counters/new");
+            ASSERT_EQ(late.size(), 5u);
+            EXPECT_TRUE(std::isnan(late[0]) && std::isnan(late[1]));
+            EXPECT_EQ(Scalars(late.begin() + 2, late.end()), (Scalars{30, 40, 50}));
+            EXPECT_EQ(file.word("/counters/new", "unit"), "m");
+        }
+        world().barrier();
+    }
+}
+
 TEST(ParticleSnapshots, GoOnBehindThoseUpToATime)
 {
     const test::ScratchFolder folder(world());

@@ -18,8 +18,16 @@ CountKind kind_of(const Counter& counter)
     return kind;
 }
 
-PluginCounters::PluginCounters(const PluginFixes& fixes, const std::vector<LoadedPlugin>& plugins,
-                               const std::string& script)
+double PluginCounters::Of::here() const
+{
+    double all = 0;
+    for (const double* each : values)
+        all = over_ranks == OverRanks::sum ? all + *each : std::max(all, *each);
+    return all;
+}
+
+void PluginCounters::follow(const PluginFixes& fixes, const std::vector<LoadedPlugin>& plugins,
+                            const std::string& script)
 {
     for (LAMMPS_NS::Fix* fix : fixes.all()) {
         int dimension = 0;
@@ -42,19 +50,40 @@ PluginCounters::PluginCounters(const PluginFixes& fixes, const std::vector<Loade
             known->values.push_back(told->values + k);
         }
     }
+    // what those that have stayed tell themselves
+    for (Of& of : counters_)
+        if (of.over_ranks == OverRanks::sum) of.of_gone = std::max(0.0, of.of_gone - of.here());
+}
+
+void PluginCounters::let_go()
+{
+    for (Of& of : counters_) {
+        of.of_gone = of.over_ranks == OverRanks::sum ? of.of_gone + of.here() : std::max(of.of_gone, of.here());
+        of.values.clear();
+    }
 }
 
 std::vector<Count> PluginCounters::now(const Communicator& comm) const
 {
     std::vector<Count> all;
     for (const Of& of : counters_) {
-        const bool adds = of.over_ranks == OverRanks::sum;
-        double value = 0;
-        for (const double* each : of.values)
-            value = adds ? value + *each : std::max(value, *each);
-        all.push_back(Count::measured(*of.kind, adds ? comm.sum(value) : comm.max(value)));
+        const double value = of.over_ranks == OverRanks::sum ? comm.sum(of.of_gone + of.here())
+                                                             : comm.max(std::max(of.of_gone, of.here()));
+        all.push_back(Count::measured(*of.kind, value));
     }
     return all;
+}
+
+void PluginCounters::keep(Archive& archive)
+{
+    for (Of& of : counters_) {
+        const std::string key = of.kind->key;
+        if (archive.loads() && !archive.has(key)) continue;
+        if (of.over_ranks == OverRanks::sum)
+            archive.keep_share(key, of.of_gone);
+        else
+            archive.keep_largest(key, of.of_gone);
+    }
 }
 
 }  // namespace interphase

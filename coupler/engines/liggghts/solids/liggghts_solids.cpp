@@ -82,7 +82,7 @@ LiggghtsSolids::LiggghtsSolids(const Communicator& comm, const Settings& setting
     largest_known_radius_ = 0.5 * largest_diameter();
     remarks_ = std::make_unique<SceneRemarks>(comm_, *lmp_, settings_, plugins_);
     const PluginFixes of_plugins(*lmp_, plugins_, settings_.script);
-    counters_ = std::make_unique<PluginCounters>(of_plugins, plugins_, settings_.script);
+    counters_.follow(of_plugins, plugins_, settings_.script);
     step_limit_ = of_plugins.step_limit(comm_);
     solid_stress_ = of_plugins.solid_stress();
     moves_come_first_ = of_plugins.say(extract_moves_before_forces);
@@ -241,6 +241,7 @@ void LiggghtsSolids::keep(Archive& archive)
         take_particle_state(*lmp_, archive);
     population_->begin_anew();
     commands_.keep(archive);
+    archive.keep("counters", counters_);
     archive.keep("remarks", *remarks_);
     archive.keep("warnings", warnings_);
 }

@@ -72,7 +72,7 @@ public:
 
     std::vector<Problem> remarks() override;
     std::vector<Count> counts() const override;
-    std::vector<Count> counters() const override { return counters_->now(comm_); }
+    std::vector<Count> counters() const override { return counters_.now(comm_); }
     static std::vector<const CountKind*> count_kinds();  ///< what counts() may have
     EngineWarnings* warnings() override;                 ///< flushed
 
@@ -97,7 +97,7 @@ private:
     const LAMMPS_NS::Fix* weights_ = nullptr;  ///< the script's, or null: all have that of the settings
     std::vector<LoadedPlugin> plugins_;
     CommandQueue commands_;
-    std::unique_ptr<PluginCounters> counters_;
+    PluginCounters counters_;
     std::optional<double> contact_duration_, rayleigh_time_, step_limit_;
     SolidStress* solid_stress_ = nullptr;  ///< a fix's
     bool moves_come_first_ = false, takes_new_forces_ = false;

@@ -49,9 +49,12 @@ void LiggghtsSolids::add_own_fixes(bool with_gas)
 
 void LiggghtsSolids::carry_out(const std::vector<TimedCommands>& commands)
 {
-    for (const TimedCommands& each : commands)
+    for (const TimedCommands& each : commands) {
+        counters_.let_go();
         for (const std::string& line : each.lines)
             lammps_command(lmp_, const_cast<char*>(line.c_str()));
+        counters_.follow(PluginFixes(*lmp_, plugins_, place_of_commands), plugins_, place_of_commands);
+    }
 }
 
 void LiggghtsSolids::repeat_commands()
@@ -111,7 +114,6 @@ void LiggghtsSolids::refuse_other_scene()
         of_plugins.say(extract_takes_new_forces) != takes_new_forces_)
         throw UserError("the commands change what moves the particles, or what weights they have", where,
                         "keep the fixes that do, and the method, for the whole run");
-    counters_ = std::make_unique<PluginCounters>(of_plugins, plugins_, settings_.script);
     if (const auto limit = of_plugins.step_limit(comm_); limit && lmp_->update->dt > *limit * (1 + 1e-9))
         throw UserError("a fix of the commands bears a solid step of at most " + text(*limit) + " s, and the run has " +
                             text(lmp_->update->dt) + " s",
