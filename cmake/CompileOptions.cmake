@@ -20,8 +20,10 @@ endif()
 if(INTERPHASE_NATIVE)
     target_compile_options(interphase_options INTERFACE -march=native)
 endif()
+# An error ends the test by UBSAN_OPTIONS (InterphaseTest). Left out: shifts, which OpenFOAM's headers do of negative numbers (labelBits.H).
 if(INTERPHASE_SANITIZE)
-    set(_sanitizers -fsanitize=address,undefined -fno-sanitize-recover=undefined)
-    target_compile_options(interphase_options INTERFACE ${_sanitizers} -fno-omit-frame-pointer)
+    set(_sanitizers -fsanitize=address,undefined -fno-sanitize=shift)
+    # GCC takes std::regex for uninitialised where it is instrumented.
+    target_compile_options(interphase_options INTERFACE ${_sanitizers} -fno-omit-frame-pointer -Wno-maybe-uninitialized)
     target_link_options(interphase_options INTERFACE ${_sanitizers})
 endif()

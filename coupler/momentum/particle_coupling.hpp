@@ -19,9 +19,11 @@ struct ParticleCoupling {
     float start_velocity[3] = {0, 0, 0};  ///< with which it began the gas step [m/s]
     float free_change[3] = {0, 0, 0};     ///< velocity change it would see without contacts [m/s]
     bool was_outside = false;             ///< it has moved without gas since
+    unsigned char unused[3] = {0, 0, 0};  ///< a gap would hold what memory held, and two checkpoints would differ
     float response_time = 0;  ///< by which a constant acceleration changes its velocity; 0: nothing is known of it [s]
 };
 
 static_assert(std::is_trivially_copyable_v<ParticleCoupling>);
+static_assert(sizeof(ParticleCoupling) == 2 * sizeof(CellAddress) + 3 * sizeof(double) + 8 * sizeof(float), "no gap");
 
 }  // namespace interphase

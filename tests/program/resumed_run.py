@@ -3,6 +3,7 @@
 equal to the last bit, with every method, while spheres are poured in."""
 
 import os
+import re
 
 import numpy
 
@@ -105,13 +106,19 @@ class ResumedRun(ResumedScene):
             expected, found = map(parts, pair)
             self.assertEqual(expected.keys(), found.keys())
             differ = [name for name in expected if expected[name] != found[name]]
-            self.assertEqual(differ, [], f"rank {rank}")
+            self.assertEqual(differ, [], f"rank {rank}{self.warnings_of(whole, done) if differ else ''}")
         ends = [max(each.snapshots().items()) for each in (whole, done)]
         self.assertEqual(ends[0][0], ends[1][0])
         self.assertGreater(len(ends[0][1]["id"]), self.count)
         for name, values in ends[0][1].items():
             self.assertEqual(values.tobytes(), ends[1][1][name].tobytes(), name)
         self.expect_equal_rows(whole, done)
+
+    @staticmethod
+    def warnings_of(*runs):
+        """What OpenFOAM warned of in each."""
+        logs = [support.read(run.path("log.openfoam")) for run in runs]
+        return "".join("\n" + "\n".join(re.findall(r"--> FOAM (?:Warning|Serious)(?:.*\n){1,6}", log)) for log in logs)
 
     def expect_equal_rows(self, whole, done):
         """The series, the books and the statistics have no seam."""

@@ -19,6 +19,9 @@ BUILD = os.environ.get("INTERPHASE_BUILD") or os.path.join(SOURCE, "build", "rel
 PROGRAM = os.path.join(BUILD, "interphase")
 TOOLS = os.path.join(SOURCE, "tools")
 
+# A program with sanitizers takes signals itself, and wants to be the first library.
+unless_sanitized = unittest.skipIf("INTERPHASE_SANITIZED" in os.environ, "signals and preloaded libraries are the sanitizer's")
+
 # Ranks that wait for one another for ever are ended here [s]; most runs take seconds.
 LONGEST = 300
 

@@ -73,6 +73,7 @@ class Failing(support.ProgramTest):
         done = self.execute(self.scene("nan"), 2)
         self.ends_with_cause(done, DIVERGED, r"particle 1 .* is not finite", r"when:   in the gas step from t = 0.005 s to 0.006 s")
 
+    @support.unless_sanitized
     def test_rank_that_dies(self):
         """mpirun has the last word, and it is the cause; the code is the signal's."""
         for how, name, code in (("kill", r"signal 9 \(Killed\)", 137), ("segv", r"signal 11 \(Segmentation fault\)", 139)):
@@ -118,6 +119,7 @@ class Failing(support.ProgramTest):
         out, err = program.communicate(timeout=SECONDS)
         self.ends_with_cause(support.Finished(case, program.returncode, out, err), DISK, "the disk is full", "(remedy: |disk: +)make room")
 
+    @support.unless_sanitized
     def test_script(self):
         """LIGGGHTS adds a joke to every fifth error, from memory that it has freed; here it would to each."""
         always = os.path.join(self.root, "always.so")
@@ -129,6 +131,7 @@ class Failing(support.ProgramTest):
         log = support.read(folder, "dem/log.liggghts")
         self.assertRegex(log.rstrip("\n").split("\n")[-1], r"^ERROR: ")  # nothing follows
 
+    @support.unless_sanitized
     def test_script_without_gas(self):
         """interphase-liggghts says the same, without the joke, on any number of ranks."""
         always = os.path.join(self.root, "always.so")

@@ -10,12 +10,14 @@ namespace interphase {
 
 namespace {
 
-/// What travels with an atom.
+/// What travels with an atom, without gaps: of a checkpoint every byte is told.
 struct Luggage {
     FluidForce force;
+    float unused;
     double booked[3];
     ParticleCoupling coupling;
 };
+static_assert(sizeof(Luggage) == sizeof(FluidForce) + sizeof(float) + 3 * sizeof(double) + sizeof(ParticleCoupling));
 constexpr int luggage_doubles = (sizeof(Luggage) + sizeof(double) - 1) / sizeof(double);
 
 constexpr int grow_callback = 0;
@@ -97,7 +99,7 @@ void FixFluid::set_arrays(int i)
 
 int FixFluid::pack_exchange(int i, double* buffer)
 {
-    Luggage luggage{forces_[index(i)], {}, coupling_[index(i)]};
+    Luggage luggage{forces_[index(i)], 0, {}, coupling_[index(i)]};
     std::copy_n(&booked_[3 * index(i)], 3, luggage.booked);
     std::memcpy(buffer, &luggage, sizeof luggage);
     return luggage_doubles;
