@@ -67,8 +67,8 @@ inline bool resolves(int id_a, bool ghost_a, int id_b, bool ghost_b)
     return ghost_a == ghost_b ? !ghost_a : ghost_a != (id_a < id_b);
 }
 
-/// The spheres of one rank, ghosts included. All arrays have one more, of resting walls; `body` may have those of
-/// moving walls behind it.
+/// The spheres of one rank, ghosts included. All arrays have one more, of resting walls; `body` and `label` may have
+/// those of moving walls behind it.
 struct Bodies {
     std::vector<Body> body;
     std::vector<Path> path;
@@ -80,6 +80,15 @@ struct Bodies {
     void write_coarse(std::size_t first, std::size_t last);
 
     std::size_t size() const { return path.empty() ? 0 : path.size() - 1; }
+    /// One that nothing moves, behind all others, with the velocity of a wall [m/s]. Returns which it is.
+    int add_wall(const Vector& velocity)
+    {
+        body.emplace_back();
+        set(body.back().velocity, velocity);
+        label.emplace_back();
+        label.back().fixed = true;
+        return static_cast<int>(body.size()) - 1;
+    }
     void resize(std::size_t n)
     {
         body.resize(n + 1);

@@ -93,11 +93,7 @@ void find_wall_contacts(Bodies& bodies, const std::vector<std::unique_ptr<walls:
                                 0,
                                 materials.between(bodies.label[i].type, wall.type()),
                                 wall_key(w, point.element, walls.size())};
-                if (!point.velocity.isZero()) {
-                    contact.j = static_cast<int>(bodies.body.size());
-                    bodies.body.emplace_back();
-                    set(bodies.body.back().velocity, point.velocity);
-                }
+                if (!point.velocity.isZero()) contact.j = bodies.add_wall(point.velocity);
                 if (end < 0 && end < point.gap) {
                     contact.touch_time = limits.step * std::max(0.0, point.gap) / (point.gap - end);
                     follow_to_touch(contact, wall, place, meeting, limits.step);
