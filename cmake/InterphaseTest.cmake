@@ -64,7 +64,7 @@ function(interphase_add_test)
         interphase_set_test_properties(${name} LABELS mpi ${test_LABELS} PROCESSORS ${ranks})
         # Open MPI leaves memory behind from modules it has unloaded by then, so that no suppression can name them.
         # Leaks of our own are looked for in the serial tests.
-        set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)
+        set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT ASAN_OPTIONS=detect_leaks=0:new_delete_type_mismatch=0)
     endforeach()
 endfunction()
 
