@@ -23,7 +23,7 @@ if(OpenFOAM_PROJECT_DIR)
     list(APPEND _interphase_test_environment "WM_PROJECT_DIR=${OpenFOAM_PROJECT_DIR}")
 endif()
 if(INTERPHASE_SANITIZE)
-    list(APPEND _interphase_test_environment UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 INTERPHASE_SANITIZED=1)
+    list(APPEND _interphase_test_environment UBSAN_OPTIONS=print_stacktrace=1 INTERPHASE_SANITIZED=1)
     # Of the engines: they leave memory to the system at the end, and OpenFOAM's lists tell delete another size than they told new.
     if(INTERPHASE_ENGINES)
         list(APPEND _interphase_test_environment ASAN_OPTIONS=detect_leaks=0:new_delete_type_mismatch=0)
@@ -64,7 +64,9 @@ function(interphase_add_test)
         interphase_set_test_properties(${name} LABELS mpi ${test_LABELS} PROCESSORS ${ranks})
         # Open MPI leaves memory behind from modules it has unloaded by then, so that no suppression can name them.
         # Leaks of our own are looked for in the serial tests.
-        set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT ASAN_OPTIONS=detect_leaks=0:new_delete_type_mismatch=0)
+        if(NOT INTERPHASE_ENGINES)
+            set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)
+        endif()
     endforeach()
 endfunction()
 

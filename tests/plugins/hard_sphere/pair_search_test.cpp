@@ -185,6 +185,38 @@ TEST(WallContacts, AreThoseOfEverySphereWithEveryWall)
     EXPECT_GT(expected, 100u);
 }
 
+TEST(WallContacts, OfAMovingWallHaveABodyWithItsVelocityThatNothingMoves)
+{
+    const Scene scene = random_scene(2000, 5e-4, 3e-3, 0.1, 1.0);
+    const Vector velocity(0, 0, 0.5);
+    std::vector<walls::Triangle> triangles{{Vector(9, 9, 10.05), Vector(12, 9, 10.05), Vector(9, 12, 10.05)}};
+    std::vector<std::unique_ptr<walls::Wall>> walls;
+    walls.push_back(std::make_unique<walls::PlaneWall>(0, 0, 10.0));
+    walls.push_back(
+        std::make_unique<walls::TriangleWall>(0, walls::Surface{triangles, {{velocity, velocity, velocity}}, true}));
+    CellGrid grid;
+    Bodies bodies = gathered(scene, grid, 2);
+    const StepLimits limits{scene.step, scene.margin, scene.touching, 0, 0, 0, scene.fastest * scene.step};
+    std::vector<Contact> found;
+    find_wall_contacts(bodies, walls, Materials(1, 0), limits, found);
+
+    ASSERT_EQ(bodies.label.size(), bodies.body.size());
+    std::size_t moving = 0;
+    for (const Contact& contact : found) {
+        const auto j = static_cast<std::size_t>(contact.j);
+        ASSERT_LT(j, bodies.label.size());
+        EXPECT_TRUE(bodies.label[j].fixed);
+        EXPECT_EQ(bodies.body[j].inverse_mass, 0);
+        const bool moves = contact.key != wall_key(0, 0, walls.size());
+        const Vector expected = moves ? velocity : Vector(Vector::Zero());
+        // the weights of a triangle's corners add up to 1 within round-off
+        EXPECT_LT((to_vector(bodies.body[j].velocity) - expected).norm(), 1e-15);
+        moving += moves;
+    }
+    EXPECT_GT(moving, 100u);
+    EXPECT_EQ(bodies.body.size(), bodies.size() + 1 + moving);  // one for all that rests
+}
+
 TEST(WallContacts, WithTrianglesTouchWhereAPlaneDoes)
 {
     const double low = 9.5, high = 10.5, level = 10.05;
