@@ -187,7 +187,7 @@ TEST(WallContacts, AreThoseOfEverySphereWithEveryWall)
 
 TEST(WallContacts, OfAMovingWallHaveABodyWithItsVelocityThatNothingMoves)
 {
-    const Scene scene = random_scene(2000, 5e-4, 3e-3, 0.1, 1.0);
+    const Scene scene = random_scene(6000, 5e-4, 3e-3, 0.1, 1.0);
     const Vector velocity(0, 0, 0.5);
     std::vector<walls::Triangle> triangles{{Vector(9, 9, 10.05), Vector(12, 9, 10.05), Vector(9, 12, 10.05)}};
     std::vector<std::unique_ptr<walls::Wall>> walls;
